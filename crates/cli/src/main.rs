@@ -1,0 +1,2 @@
+//! Command line of bladefan.
+fn main() {}

@@ -1,0 +1,2 @@
+#![no_std]
+//! Solver for the natural frequencies of rotating blades.

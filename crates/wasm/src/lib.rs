@@ -1,0 +1,1 @@
+//! Bindings of bladefan for the browser and Node.
