@@ -1,0 +1,237 @@
+//! Options of every command, one plain struct: defaults, reading from text, checks.
+
+use crate::dof::Dof;
+use crate::fault::{Fault, FaultCode};
+use crate::units::parse_speed;
+use alloc::format;
+use alloc::string::ToString;
+use alloc::vec::Vec;
+
+/// The family of assumed functions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+pub enum BasisFamily {
+    /// Modes of the uniform, non-rotating blade: the paper's.
+    Classical,
+}
+
+impl BasisFamily {
+    /// The name used in options and results.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Classical => "classical",
+        }
+    }
+}
+
+/// What mode shapes are scaled to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Normalisation {
+    /// Largest absolute displacement of the sampled radii 1.
+    Max,
+    /// ∫ m X² dr = 1 in bending, ∫ X² dr = l/2 in torsion (Eq. 86–87).
+    Mass,
+}
+
+/// Rotor speeds FROM:TO:COUNT, evenly spaced, both ends included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpeedRange {
+    /// First speed [rad/s], at least 0.
+    pub from: f64,
+    /// Last speed [rad/s], greater than the first.
+    pub to: f64,
+    /// How many, 2 … 100000.
+    pub count: usize,
+}
+
+impl SpeedRange {
+    /// The speeds, ascending; the last is exactly `to`.
+    pub fn speeds(&self) -> Vec<f64> {
+        let last = self.count.saturating_sub(1).max(1);
+        (0..self.count)
+            .map(|i| if i == last { self.to } else { self.from + (self.to - self.from) * (i as f64 / last as f64) })
+            .collect()
+    }
+}
+
+/// Most speeds a chart may have.
+const MOST_SPEEDS: usize = 100_000;
+/// Most modes per degree of freedom.
+const MOST_MODES: usize = 50;
+/// Most assumed functions of the classical family.
+const MOST_FUNCTIONS: usize = 200;
+/// Most radii a shape may be sampled at.
+const MOST_POINTS: usize = 10_001;
+/// Most harmonics.
+const MOST_HARMONICS: u32 = 100;
+
+/// Options of every command. Any value is legal here; the analysis checks what it uses.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Rotor speed [rad/s]; `None`: nominal.
+    pub speed: Option<f64>,
+    /// Speeds of the fan chart; `None`: 0 to 1.2 × nominal, 101 speeds.
+    pub speeds: Option<SpeedRange>,
+    /// Modes per degree of freedom. 5: what the paper's charts show.
+    pub modes: usize,
+    /// Degrees of freedom, each at most once; results keep the order flap, lag, torsion.
+    pub dofs: Vec<Dof>,
+    /// Family of assumed functions.
+    pub basis: BasisFamily,
+    /// Number of assumed functions of the classical family. 15: what the paper calls converged.
+    pub functions: usize,
+    /// Rays 1P … nP.
+    pub harmonics: u32,
+    /// Radii per mode shape.
+    pub points: usize,
+    /// Scale of mode shapes.
+    pub normalise: Normalisation,
+    /// Largest number of functions of a convergence study. 16: as in the paper's Fig. 6–7.
+    pub up_to: usize,
+    /// Operating band as ratios of nominal speed; crossings inside are marked.
+    pub band: (f64, f64),
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            speed: None,
+            speeds: None,
+            modes: 5,
+            dofs: Dof::ALL.to_vec(),
+            basis: BasisFamily::Classical,
+            functions: 15,
+            harmonics: 10,
+            points: 101,
+            normalise: Normalisation::Max,
+            up_to: 16,
+            band: (0.9, 1.1),
+        }
+    }
+}
+
+impl Settings {
+    /// Sets one option by its command-line name from its command-line text.
+    ///
+    /// # Errors
+    /// A name that is not an option, or a text that the option cannot be read from. Ranges are
+    /// checked by [`check`](Self::check).
+    pub fn set(&mut self, name: &str, text: &str) -> Result<(), Fault> {
+        let refuse = |rule: &str| Err(option_fault(name, text, rule));
+        match name {
+            "speed" => match parse_speed(text) {
+                Some(speed) => self.speed = Some(speed),
+                None => return refuse("must be a speed like 69.1, 660rpm, 11Hz or 69.1rad/s"),
+            },
+            "speeds" => match parse_range(text) {
+                Some(range) => self.speeds = Some(range),
+                None => return refuse("must be FROM:TO:COUNT like 0:792rpm:101"),
+            },
+            "dof" => match parse_dofs(text) {
+                Some(dofs) => self.dofs = dofs,
+                None => return refuse("must be one or more of flap, lag, torsion, each once, with commas"),
+            },
+            "basis" => match text {
+                "classical" => self.basis = BasisFamily::Classical,
+                "piecewise" => return refuse("not yet available; use classical"),
+                _ => return refuse("must be classical"),
+            },
+            "normalise" => match text {
+                "max" => self.normalise = Normalisation::Max,
+                "mass" => self.normalise = Normalisation::Mass,
+                _ => return refuse("must be max or mass"),
+            },
+            "band" => match parse_band(text) {
+                Some(band) => self.band = band,
+                None => return refuse("must be FROM:TO as ratios of nominal speed like 0.9:1.1"),
+            },
+            "harmonics" => match text.parse() {
+                Ok(count) => self.harmonics = count,
+                Err(_) => return refuse("must be a whole number"),
+            },
+            "modes" | "functions" | "points" | "up_to" => {
+                let Ok(count) = text.parse() else { return refuse("must be a whole number") };
+                match name {
+                    "modes" => self.modes = count,
+                    "functions" => self.functions = count,
+                    "points" => self.points = count,
+                    _ => self.up_to = count,
+                }
+            }
+            _ => return Err(option_fault(name, text, "is not an option")),
+        }
+        Ok(())
+    }
+
+    /// Every option that is outside its range.
+    pub fn check(&self) -> Vec<Fault> {
+        let mut faults = Vec::new();
+        let mut require = |holds: bool, name: &str, value: &dyn core::fmt::Display, rule: &str| {
+            if !holds {
+                faults.push(option_fault(name, &value.to_string(), rule));
+            }
+        };
+        if let Some(speed) = self.speed {
+            require(speed.is_finite() && speed >= 0.0, "speed", &speed, "must be finite and at least 0");
+        }
+        if let Some(range) = self.speeds {
+            let text = format!("{}:{}:{}", range.from, range.to, range.count);
+            let ends = range.from >= 0.0 && range.from < range.to && range.to.is_finite();
+            require(ends, "speeds", &text, "must have 0 <= FROM < TO, both finite");
+            let count = (2..=MOST_SPEEDS).contains(&range.count);
+            require(count, "speeds", &text, "must have a COUNT from 2 to 100000");
+        }
+        require((1..=MOST_MODES).contains(&self.modes), "modes", &self.modes, "must be from 1 to 50");
+        require((1..=MOST_FUNCTIONS).contains(&self.functions), "functions", &self.functions, "must be from 1 to 200");
+        let few = format!("must not be above functions ({})", self.functions);
+        require(self.modes <= self.functions || self.modes > MOST_MODES, "modes", &self.modes, &few);
+        require((1..=MOST_FUNCTIONS).contains(&self.up_to), "up_to", &self.up_to, "must be from 1 to 200");
+        require((1..=MOST_HARMONICS).contains(&self.harmonics), "harmonics", &self.harmonics, "must be from 1 to 100");
+        require((2..=MOST_POINTS).contains(&self.points), "points", &self.points, "must be from 2 to 10001");
+        let text = format!("{}:{}", self.band.0, self.band.1);
+        let band = self.band.0 >= 0.0 && self.band.0 < self.band.1 && self.band.1.is_finite();
+        require(band, "band", &text, "must have 0 <= FROM < TO, both finite");
+        let distinct = Dof::ALL.iter().all(|dof| self.dofs.iter().filter(|other| *other == dof).count() <= 1);
+        require(!self.dofs.is_empty() && distinct, "dof", &self.dofs.len(), "must be one or more, each once");
+        faults
+    }
+
+    /// The speed to solve at for a blade of this nominal speed.
+    pub fn speed_or(&self, nominal: f64) -> f64 {
+        self.speed.unwrap_or(nominal)
+    }
+
+    /// The speeds of the fan chart for a blade of this nominal speed.
+    pub fn speeds_or(&self, nominal: f64) -> SpeedRange {
+        self.speeds.unwrap_or(SpeedRange { from: 0.0, to: 1.2 * nominal, count: 101 })
+    }
+
+    /// The degrees of freedom asked for, in the order of results.
+    pub fn ordered_dofs(&self) -> impl Iterator<Item = Dof> + '_ {
+        Dof::ALL.into_iter().filter(|dof| self.dofs.contains(dof))
+    }
+}
+
+fn option_fault(name: &str, value: &str, rule: &str) -> Fault {
+    Fault::new(FaultCode::Option, name, Some(value.to_string()), rule, format!("{rule} (is {value})"))
+}
+
+fn parse_range(text: &str) -> Option<SpeedRange> {
+    let mut parts = text.split(':');
+    let range = SpeedRange {
+        from: parse_speed(parts.next()?)?,
+        to: parse_speed(parts.next()?)?,
+        count: parts.next()?.parse().ok()?,
+    };
+    parts.next().is_none().then_some(range)
+}
+
+fn parse_band(text: &str) -> Option<(f64, f64)> {
+    let (from, to) = text.split_once(':')?;
+    Some((from.parse().ok()?, to.parse().ok()?))
+}
+
+fn parse_dofs(text: &str) -> Option<Vec<Dof>> {
+    text.split(',').map(|name| Dof::from_name(name.trim())).collect()
+}

@@ -1,0 +1,114 @@
+//! A blade as its author gives it: plain data, in the author's units, not yet checked.
+
+use crate::units::Units;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+/// A blade as given. Any value is legal here; the check turns it into a [`Blade`](super::Blade)
+/// or lists every fault. What the author left out is `None`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BladeDefinition {
+    /// Name shown in every result.
+    pub name: Option<String>,
+    /// Free text.
+    pub notes: Option<String>,
+    /// Where the numbers come from.
+    pub source: Option<Source>,
+    /// Units of all numbers below.
+    pub units: Units,
+    /// The rotor.
+    pub rotor: Option<RotorDefinition>,
+    /// Root of the flap degree of freedom.
+    pub flap: Option<RootDefinition>,
+    /// Root of the lag degree of freedom.
+    pub lag: Option<RootDefinition>,
+    /// Root of the torsion degree of freedom.
+    pub torsion: Option<RootDefinition>,
+    /// Properties along the span.
+    pub distribution: Option<DistributionDefinition>,
+}
+
+/// Where a blade's numbers come from.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Source {
+    /// Author, title, report number, table.
+    pub citation: Option<String>,
+    /// `published`, `estimated` or `example`.
+    pub quality: Option<String>,
+}
+
+/// The rotor's own numbers.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RotorDefinition {
+    /// Tip radius [length].
+    pub radius: Option<f64>,
+    /// Nominal rotor speed [speed].
+    pub nominal_speed: Option<f64>,
+    /// Number of blades; a positive integer.
+    pub blades: Option<f64>,
+}
+
+/// How a degree of freedom is held at its root, as words of the blade file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RootKind {
+    /// Bending, clamped (`hingeless`).
+    Hingeless,
+    /// Bending, free hinge (`hinged`).
+    Hinged,
+    /// Bending, hinge with a spring (`spring-hinged`).
+    SpringHinged,
+    /// Torsion, stiff pitch control (`rigid`).
+    Rigid,
+    /// Torsion, pitch control with a spring (`spring`).
+    Spring,
+}
+
+/// Root of one degree of freedom.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RootDefinition {
+    /// How the root is held.
+    pub root: Option<RootKind>,
+    /// Radius of hinge or root [length].
+    pub offset: Option<f64>,
+    /// The same as a ratio to the tip radius.
+    pub offset_ratio: Option<f64>,
+    /// Spring [force·length/rad].
+    pub spring: Option<f64>,
+}
+
+/// Properties along the span.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DistributionDefinition {
+    /// Radii of the stations that lists without radii of their own stand on [length].
+    pub r: Option<Vec<f64>>,
+    /// Mass per length [mass/length].
+    pub mass: Option<PropertyDefinition>,
+    /// Flapwise bending stiffness [force·length²].
+    pub flap_stiffness: Option<PropertyDefinition>,
+    /// Chordwise bending stiffness [force·length²].
+    pub lag_stiffness: Option<PropertyDefinition>,
+    /// Torsional stiffness [force·length²].
+    pub torsion_stiffness: Option<PropertyDefinition>,
+    /// Polar mass moment of inertia per length [mass·length].
+    pub polar_inertia: Option<PropertyDefinition>,
+    /// Centre of mass ahead of the elastic axis, + toward the leading edge [length].
+    pub mass_offset: Option<PropertyDefinition>,
+    /// Built-in twist, + nose up [angle].
+    pub twist: Option<PropertyDefinition>,
+}
+
+/// One property along the span. Linear between stations; a radius given twice is a step.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PropertyDefinition {
+    /// One number for all radii.
+    Uniform(f64),
+    /// Values on the radii `distribution.r`.
+    OnStations(Vec<f64>),
+    /// Values on radii of their own.
+    OwnRadii {
+        /// Radii [length].
+        r: Vec<f64>,
+        /// Values at these radii.
+        values: Vec<f64>,
+    },
+}

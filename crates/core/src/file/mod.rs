@@ -1,0 +1,1 @@
+//! Blade files (TOML, JSON) and measured points (CSV).
