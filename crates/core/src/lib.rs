@@ -1,6 +1,17 @@
 //! Natural frequencies, mode shapes and fan charts of rotating blades.
 
 #![no_std]
+#![cfg_attr(
+    test,
+    allow(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::float_cmp,
+        clippy::excessive_precision,
+        reason = "a test stops where it fails; exact zeros and reference digits are meant"
+    )
+)]
 extern crate alloc;
 #[cfg(test)]
 extern crate std;
@@ -10,11 +21,15 @@ pub mod blade;
 #[cfg(feature = "chart")]
 pub mod chart;
 pub mod dof;
+pub mod fan;
 pub mod fault;
 #[cfg(feature = "file")]
 pub mod file;
+pub mod functions;
+pub mod lagrange;
 #[cfg(feature = "library")]
 pub mod library;
+pub mod modes;
 pub mod numerics;
 pub mod units;
 

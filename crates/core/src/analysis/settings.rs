@@ -2,6 +2,7 @@
 
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode};
+use crate::modes::ShapeScale;
 use crate::units::parse_speed;
 use alloc::format;
 use alloc::string::ToString;
@@ -23,15 +24,6 @@ impl BasisFamily {
             Self::Classical => "classical",
         }
     }
-}
-
-/// What mode shapes are scaled to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Normalisation {
-    /// Largest absolute displacement of the sampled radii 1.
-    Max,
-    /// ∫ m X² dr = 1 in bending, ∫ X² dr = l/2 in torsion (Eq. 86–87).
-    Mass,
 }
 
 /// Rotor speeds FROM:TO:COUNT, evenly spaced, both ends included.
@@ -86,7 +78,7 @@ pub struct Settings {
     /// Radii per mode shape.
     pub points: usize,
     /// Scale of mode shapes.
-    pub normalise: Normalisation,
+    pub normalise: ShapeScale,
     /// Largest number of functions of a convergence study. 16: as in the paper's Fig. 6–7.
     pub up_to: usize,
     /// Operating band as ratios of nominal speed; crossings inside are marked.
@@ -104,7 +96,7 @@ impl Default for Settings {
             functions: 15,
             harmonics: 10,
             points: 101,
-            normalise: Normalisation::Max,
+            normalise: ShapeScale::Max,
             up_to: 16,
             band: (0.9, 1.1),
         }
@@ -138,8 +130,8 @@ impl Settings {
                 _ => return refuse("must be classical"),
             },
             "normalise" => match text {
-                "max" => self.normalise = Normalisation::Max,
-                "mass" => self.normalise = Normalisation::Mass,
+                "max" => self.normalise = ShapeScale::Max,
+                "mass" => self.normalise = ShapeScale::Mass,
                 _ => return refuse("must be max or mass"),
             },
             "band" => match parse_band(text) {

@@ -1,0 +1,192 @@
+//! λ = ω² of one degree of freedom as functions of Ω².
+//!
+//! Within one uncoupled degree of freedom the eigenvalues are simple, so order is identity and
+//! each λ is an analytic function of Ω² (docs/THEORY.md): a few Chebyshev nodes carry a chart of
+//! any number of speeds. Whether they suffice is checked against the eigenproblem between them.
+
+use crate::lagrange::SystemMatrices;
+use crate::modes::{SolveError, solve};
+use crate::numerics::chebyshev::{interpolate, node, slopes};
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// Relative error of λ accepted between the nodes; ω has half of it.
+const TOLERANCE: f64 = 1e-11;
+/// When the interpolant of half the degree is this good at the new nodes, the full one, whose error
+/// is about its square, is worth checking.
+const COARSE_TOLERANCE: f64 = 1e-6;
+/// Degree tried first.
+const FIRST_DEGREE: usize = 8;
+/// Degree after which the range is halved instead.
+const LAST_DEGREE: usize = 32;
+/// Where the error is checked, as shares of the piece: between the nodes of every degree.
+const CHECKS: [f64; 3] = [0.013, 0.47, 0.93];
+/// Most pieces; the last ones are taken as they are.
+const MOST_PIECES: usize = 64;
+
+/// The lowest eigenvalues of one degree of freedom over a range of Ω².
+#[derive(Clone, Debug)]
+pub struct Curves {
+    pieces: Vec<Piece>,
+    branches: usize,
+    /// The first branch starts as a rigid motion, λ₁ = 0 at rest: λ₁/Ω² is interpolated, which
+    /// stays away from 0.
+    rigid: bool,
+}
+
+/// Values at the nodes of one piece of the range.
+#[derive(Clone, Debug)]
+struct Piece {
+    nodes: Vec<f64>,
+    rows: Vec<Vec<f64>>,
+}
+
+/// One branch at one Ω².
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Point {
+    /// λ, or λ/Ω² for the rigid branch.
+    pub(super) value: f64,
+    /// Derivative of `value` by Ω².
+    pub(super) slope: f64,
+}
+
+impl Curves {
+    /// The `count` lowest eigenvalues for `from` ≤ Ω² ≤ `to` [rad²/s²].
+    ///
+    /// # Errors
+    /// [`SolveError`].
+    pub fn fit(matrices: &SystemMatrices, from: f64, to: f64, count: usize) -> Result<Self, SolveError> {
+        let rigid = matrices.has_rigid_motion();
+        let row = |s: f64| row(matrices, s, count, rigid);
+        let mut pieces = Vec::new();
+        let mut waiting = vec![(from, to)];
+        while let Some((from, to)) = waiting.pop() {
+            let mut piece = Piece {
+                nodes: (0..=FIRST_DEGREE).map(|i| node(from, to, FIRST_DEGREE, i)).collect(),
+                rows: Vec::new(),
+            };
+            piece.rows = piece.nodes.iter().map(|&s| row(s)).collect::<Result<_, _>>()?;
+            loop {
+                let coarse_error = piece.refine(from, to, row)?;
+                let enough = coarse_error < COARSE_TOLERANCE && piece.error(from, to, row)? < TOLERANCE;
+                let middle = 0.5 * (from + to);
+                let last = pieces.len() + waiting.len() >= MOST_PIECES || middle <= from || middle >= to;
+                if enough || (last && piece.nodes.len() > LAST_DEGREE) {
+                    pieces.push(piece);
+                    break;
+                }
+                if piece.nodes.len() > LAST_DEGREE {
+                    waiting.push((middle, to));
+                    waiting.push((from, middle));
+                    break;
+                }
+            }
+        }
+        let branches = pieces.first().and_then(|piece| piece.rows.first()).map_or(0, Vec::len);
+        Ok(Self { pieces, branches, rigid })
+    }
+
+    /// Number of branches.
+    pub fn branches(&self) -> usize {
+        self.branches
+    }
+
+    /// λ of every branch at Ω² = `speed_squared` inside the range; never below 0.
+    pub fn eigenvalues(&self, speed_squared: f64) -> Vec<f64> {
+        let mut values = vec![0.0; self.branches];
+        if let Some(piece) = self.piece(speed_squared) {
+            interpolate(&piece.nodes, &piece.rows, speed_squared, &mut values);
+        }
+        if self.rigid
+            && let Some(first) = values.first_mut()
+        {
+            *first *= speed_squared;
+        }
+        values.into_iter().map(|value| value.max(0.0)).collect()
+    }
+
+    fn piece(&self, speed_squared: f64) -> Option<&Piece> {
+        let index = self.pieces.partition_point(|piece| piece.end() < speed_squared);
+        self.pieces.get(index).or(self.pieces.last())
+    }
+
+    /// Whether a branch holds λ/Ω² instead of λ.
+    pub(super) fn is_rigid(&self, branch: usize) -> bool {
+        self.rigid && branch == 0
+    }
+
+    /// Value and slope of every branch.
+    pub(super) fn points(&self, speed_squared: f64) -> Vec<Point> {
+        let (mut values, mut derivatives) = (vec![0.0; self.branches], vec![0.0; self.branches]);
+        if let Some(piece) = self.piece(speed_squared) {
+            interpolate(&piece.nodes, &piece.rows, speed_squared, &mut values);
+            slopes(&piece.nodes, &piece.rows, speed_squared, &mut derivatives);
+        }
+        values.into_iter().zip(derivatives).map(|(value, slope)| Point { value, slope }).collect()
+    }
+
+    /// The nodes of all pieces, ascending: between two of them a branch is smooth.
+    pub(super) fn nodes(&self) -> Vec<f64> {
+        let mut nodes: Vec<f64> = self.pieces.iter().flat_map(|piece| piece.nodes.iter().copied()).collect();
+        nodes.dedup();
+        nodes
+    }
+}
+
+impl Piece {
+    fn end(&self) -> f64 {
+        self.nodes.last().copied().unwrap_or(0.0)
+    }
+
+    /// Doubles the degree and returns the old interpolant's largest relative error at the new nodes.
+    fn refine(
+        &mut self,
+        from: f64,
+        to: f64,
+        row: impl Fn(f64) -> Result<Vec<f64>, SolveError>,
+    ) -> Result<f64, SolveError> {
+        let degree = 2 * (self.nodes.len() - 1);
+        let mut nodes = Vec::with_capacity(degree + 1);
+        let mut rows = Vec::with_capacity(degree + 1);
+        let mut worst = 0.0_f64;
+        for index in 0..=degree {
+            let s = node(from, to, degree, index);
+            nodes.push(s);
+            if index % 2 == 0 {
+                rows.push(self.rows[index / 2].clone());
+            } else {
+                let exact = row(s)?;
+                worst = worst.max(self.difference(s, &exact));
+                rows.push(exact);
+            }
+        }
+        (self.nodes, self.rows) = (nodes, rows);
+        Ok(worst)
+    }
+
+    /// The largest relative error at the check points.
+    fn error(&self, from: f64, to: f64, row: impl Fn(f64) -> Result<Vec<f64>, SolveError>) -> Result<f64, SolveError> {
+        CHECKS.iter().try_fold(0.0_f64, |worst, share| {
+            let s = from + share * (to - from);
+            Ok(worst.max(self.difference(s, &row(s)?)))
+        })
+    }
+
+    fn difference(&self, s: f64, exact: &[f64]) -> f64 {
+        let mut values = vec![0.0; exact.len()];
+        interpolate(&self.nodes, &self.rows, s, &mut values);
+        values.iter().zip(exact).filter(|(_, e)| **e > 0.0).map(|(v, e)| (v / e - 1.0).abs()).fold(0.0, f64::max)
+    }
+}
+
+/// What is interpolated: every λ at Ω² = `s`, the rigid branch's divided by Ω². At rest that ratio
+/// is dλ/dΩ², the Southwell coefficient.
+fn row(matrices: &SystemMatrices, s: f64, count: usize, rigid: bool) -> Result<Vec<f64>, SolveError> {
+    let modes = solve(matrices, s, count)?;
+    let value = |(index, mode): (usize, &crate::modes::Mode)| match index {
+        0 if rigid && mode.eigenvalue > 0.0 => mode.eigenvalue / s,
+        0 if rigid => mode.southwell.max(0.0),
+        _ => mode.eigenvalue,
+    };
+    Ok(modes.iter().enumerate().map(value).collect())
+}

@@ -1,0 +1,7 @@
+//! Frequencies over a range of rotor speeds: curves, and their crossings with the nP rays.
+
+mod crossings;
+mod curves;
+
+pub use crossings::{RayCrossing, Rays, meet_rays};
+pub use curves::Curves;

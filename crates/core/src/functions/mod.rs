@@ -1,0 +1,38 @@
+//! Assumed deformation functions: what a mode shape is a sum of.
+
+mod bending;
+mod torsion;
+
+pub use bending::{BendingRoot, ClassicalBending};
+pub use torsion::{ClassicalTorsion, TorsionRoot};
+
+/// An assumed function at one point, with its analytic derivatives.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sample {
+    /// φ.
+    pub value: f64,
+    /// φ′ [1/m].
+    pub slope: f64,
+    /// φ″ [1/m²].
+    pub curvature: f64,
+}
+
+/// A family of admissible functions on 0 ≤ x ≤ l, x measured from the root outward.
+pub trait AssumedFunctions {
+    /// How many.
+    fn count(&self) -> usize;
+
+    /// Whether the first function is the rigid motion of a free root (φ = x, or θ = 1), whose
+    /// elastic energy is exactly 0.
+    fn has_rigid_motion(&self) -> bool;
+
+    /// The largest wave number β of the functions [rad/m]: no function turns by more than β h over
+    /// a distance h.
+    fn wave_number(&self) -> f64;
+
+    /// All functions at `x` [m]; `out` holds [`count`](Self::count) samples.
+    fn sample(&self, x: f64, out: &mut [Sample]);
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,79 @@
+//! Where to integrate: panels that respect every station and every wave of the functions.
+
+use crate::blade::Blade;
+use crate::dof::Dof;
+use crate::numerics::PiecewiseLinear;
+use crate::numerics::scalar::ceil;
+use alloc::vec::Vec;
+use core::f64::consts::PI;
+
+/// A stretch of the span within which every property is linear.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Segment {
+    /// Inner end [m].
+    pub(super) from: f64,
+    /// Outer end [m].
+    pub(super) to: f64,
+}
+
+impl Segment {
+    /// The property at `r` inside this segment, from its limits at both ends.
+    pub(super) fn linear(&self, property: &PiecewiseLinear) -> Linear {
+        let (inner, outer) = (property.limits(self.from).1, property.limits(self.to).0);
+        Linear { from: self.from, inner, slope: (outer - inner) / (self.to - self.from) }
+    }
+
+    /// Calls `f(a, b)` for equal panels of this segment, none longer than half a wave of the wave
+    /// number [rad/m]; returns nothing, the phase over each is given too.
+    pub(super) fn panels(&self, wave_number: f64, mut f: impl FnMut(f64, f64, f64)) {
+        let length = self.to - self.from;
+        let count = ceil(wave_number * length / PI).max(1.0);
+        let phase = wave_number * length / count;
+        // `count` is a whole number of at most some hundreds: 200 functions have 200 half waves.
+        let mut a = self.from;
+        let mut i = 1.0;
+        while i < count {
+            let b = self.from + length * (i / count);
+            f(a, b, phase);
+            a = b;
+            i += 1.0;
+        }
+        f(a, self.to, phase);
+    }
+}
+
+/// A property within one segment.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Linear {
+    from: f64,
+    inner: f64,
+    slope: f64,
+}
+
+impl Linear {
+    pub(super) fn at(&self, r: f64) -> f64 {
+        self.inner + self.slope * (r - self.from)
+    }
+}
+
+/// The segments of a degree of freedom from its root to the tip, inner first; `extra` radii split
+/// segments too.
+pub(super) fn segments(blade: &Blade, dof: Dof, extra: &[f64]) -> Vec<Segment> {
+    let (root, radius) = (blade.root(dof).offset, blade.radius());
+    let properties: &[&PiecewiseLinear] = match dof {
+        Dof::Flap | Dof::Lag => &[blade.mass(), blade.stiffness(dof)],
+        Dof::Torsion => &[blade.mass(), blade.stiffness(dof), blade.polar_inertia(), blade.mass_offset()],
+    };
+    let mut ends: Vec<f64> = properties
+        .iter()
+        .flat_map(|property| property.stations())
+        .chain(extra)
+        .copied()
+        .filter(|&r| r > root && r < radius)
+        .collect();
+    ends.push(root);
+    ends.push(radius);
+    ends.sort_by(f64::total_cmp);
+    ends.dedup();
+    ends.windows(2).map(|pair| Segment { from: pair[0], to: pair[1] }).collect()
+}

@@ -1,0 +1,70 @@
+//! The eigenproblem of one degree of freedom at one speed.
+
+use crate::dof::Dof;
+use crate::lagrange::SystemMatrices;
+use crate::numerics::eigen::{EigenError, lowest};
+use crate::numerics::scalar::sqrt;
+use alloc::vec::Vec;
+use core::fmt;
+use nalgebra::DVector;
+
+/// One mode of one degree of freedom.
+#[derive(Clone, Debug)]
+pub struct Mode {
+    /// λ = ω² [rad²/s²]; exactly 0 for a rigid mode.
+    pub eigenvalue: f64,
+    /// ω [rad/s].
+    pub frequency: f64,
+    /// Generalised coordinates q, qᵀ M q = 1.
+    pub coordinates: DVector<f64>,
+    /// dλ/dΩ² = qᵀ C q.
+    pub southwell: f64,
+    /// ‖Gq − λMq‖ / ‖λMq‖ in the scaled basis.
+    pub residual: f64,
+}
+
+/// Why the equations of a degree of freedom have no answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SolveError {
+    /// The degree of freedom.
+    pub dof: Dof,
+    /// What is wrong.
+    pub cause: EigenError,
+}
+
+impl fmt::Display for SolveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let dof = self.dof;
+        match self.cause {
+            EigenError::NonFinite => write!(f, "the {dof} matrices overflow; are the units right?"),
+            EigenError::NotPositiveDefinite => {
+                write!(f, "the {dof} stiffness matrix is not positive definite; the stiffness varies too much for f64")
+            }
+            EigenError::NotConverged => write!(f, "the {dof} eigenvalues did not converge"),
+            EigenError::TooFewModes(left) => {
+                write!(f, "the inertia along the span determines only {left} {dof} modes; ask for fewer modes")
+            }
+        }
+    }
+}
+
+impl core::error::Error for SolveError {}
+
+/// The `count` lowest modes at Ω² = `speed_squared` [rad²/s²], or as many as there are functions.
+///
+/// # Errors
+/// [`SolveError`].
+pub fn solve(matrices: &SystemMatrices, speed_squared: f64, count: usize) -> Result<Vec<Mode>, SolveError> {
+    let g = matrices.stiffness() + matrices.centrifugal() * speed_squared;
+    let eigen = lowest(&g, matrices.mass(), count).map_err(|cause| SolveError { dof: matrices.dof(), cause })?;
+    let modes = eigen.values.iter().zip(eigen.residuals).zip(eigen.vectors.column_iter());
+    Ok(modes
+        .map(|((&eigenvalue, residual), vector)| Mode {
+            eigenvalue,
+            frequency: sqrt(eigenvalue),
+            coordinates: vector.into_owned(),
+            southwell: vector.dot(&(matrices.centrifugal() * vector)),
+            residual,
+        })
+        .collect())
+}

@@ -1,0 +1,84 @@
+//! Interpolation of several smooth functions at once on Chebyshev–Lobatto nodes, by the
+//! barycentric formula (Berrut & Trefethen, SIAM Review 46, 2004, Eq. 4.2 and 5.4).
+
+use crate::numerics::scalar::cos;
+use alloc::vec::Vec;
+use core::f64::consts::PI;
+
+/// Node `index` of the `degree` + 1 nodes on [from, to], from the first to the last; the ends are
+/// exact. The nodes of a degree are among those of twice the degree.
+pub fn node(from: f64, to: f64, degree: usize, index: usize) -> f64 {
+    match index {
+        0 => from,
+        i if i == degree => to,
+        i => 0.5 * (from + to) - 0.5 * (to - from) * cos(PI * (i as f64 / degree as f64)),
+    }
+}
+
+/// The interpolant at `x` of functions whose values at node k are `rows[k]`, one value each.
+pub fn interpolate(nodes: &[f64], rows: &[Vec<f64>], x: f64, values: &mut [f64]) {
+    if let Some(row) = nodes.iter().position(|node| node.to_bits() == x.to_bits()).and_then(|index| rows.get(index)) {
+        values.copy_from_slice(row);
+        return;
+    }
+    let mut sum = 0.0;
+    values.fill(0.0);
+    for (index, (node, row)) in nodes.iter().zip(rows).enumerate() {
+        let weight = weight(index, nodes.len()) / (x - node);
+        sum += weight;
+        values.iter_mut().zip(row).for_each(|(value, entry)| *value += weight * entry);
+    }
+    for value in values {
+        *value /= sum;
+    }
+}
+
+/// How near to a node, as a share of the range, slopes are not taken: the formula loses as many
+/// digits there. Moving away costs as many: seven are right, enough to steer Newton's method.
+const NEAR_NODE: f64 = 1e-7;
+
+/// Derivatives of the interpolant at `x`, one per function, to about seven digits.
+pub fn slopes(nodes: &[f64], rows: &[Vec<f64>], x: f64, slopes: &mut [f64]) {
+    let (Some(first), Some(last)) = (nodes.first(), nodes.last()) else { return };
+    let hair = NEAR_NODE * (last - first);
+    let x = match nodes.iter().find(|node| (x - **node).abs() < hair) {
+        Some(node) if node + hair <= *last => node + hair,
+        Some(node) => node - hair,
+        None => x,
+    };
+    let mut values = slopes.to_vec();
+    interpolate(nodes, rows, x, &mut values);
+    let sum: f64 = nodes.iter().enumerate().map(|(index, node)| weight(index, nodes.len()) / (x - node)).sum();
+    slopes.fill(0.0);
+    for (index, (node, row)) in nodes.iter().zip(rows).enumerate() {
+        let weight = weight(index, nodes.len()) / ((x - node) * (x - node) * sum);
+        slopes.iter_mut().zip(&values).zip(row).for_each(|((slope, value), entry)| *slope += weight * (value - entry));
+    }
+}
+
+/// Barycentric weight of the Lobatto nodes: alternating, half at the ends.
+fn weight(index: usize, count: usize) -> f64 {
+    let size = if index == 0 || index + 1 == count { 0.5 } else { 1.0 };
+    if index.is_multiple_of(2) { size } else { -size }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::vec;
+
+    #[test]
+    fn a_rational_function_and_its_slope_are_met() {
+        let nodes: Vec<f64> = (0..=32).map(|i| node(0.0, 4.0, 32, i)).collect();
+        let rows: Vec<Vec<f64>> = nodes.iter().map(|x| vec![1.0 / (2.0 + x), x * x]).collect();
+        let (mut values, mut derivatives) = (vec![0.0; 2], vec![0.0; 2]);
+        for i in 0..=100 {
+            let x = f64::from(i) * 0.04;
+            interpolate(&nodes, &rows, x, &mut values);
+            slopes(&nodes, &rows, x, &mut derivatives);
+            assert!((values[0] - 1.0 / (2.0 + x)).abs() < 1e-15, "{x}: {}", values[0]);
+            assert!((values[1] - x * x).abs() < 2e-14, "{x}: {}", values[1]);
+            assert!((derivatives[1] - 2.0 * x).abs() < 4e-6, "{x}: {}", derivatives[1]);
+        }
+    }
+}

@@ -1,0 +1,231 @@
+//! The lowest eigenvalues of G q = λ M q, G and M symmetric, with full relative accuracy.
+//!
+//! The problem is solved for 1/λ: with the basis scaled to a unit diagonal of G and G = L Lᵀ, the
+//! largest eigenvalues of L⁻¹ M L⁻ᵀ are the smallest λ. Solving for λ itself with the factor of M
+//! loses the low modes in the rounding of the high ones (docs/THEORY.md).
+
+use crate::numerics::scalar::sqrt;
+use alloc::vec::Vec;
+use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
+
+/// What stands in the way of a solution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EigenError {
+    /// An entry of a matrix is infinite or not a number.
+    NonFinite,
+    /// G is not positive definite beside its rigid function.
+    NotPositiveDefinite,
+    /// The iteration did not end.
+    NotConverged,
+    /// M leaves fewer modes than asked for; so many remain.
+    TooFewModes(usize),
+}
+
+/// The lowest modes, λ ascending.
+#[derive(Clone, Debug)]
+pub struct Eigen {
+    /// λ, ascending; exactly 0 for a rigid mode.
+    pub values: Vec<f64>,
+    /// One column per mode, Φᵀ M Φ = I; the largest component of each is positive.
+    pub vectors: DMatrix<f64>,
+    /// ‖G q − λ M q‖ / ‖λ M q‖ of each mode, in the basis scaled to a unit diagonal of G; 0 for a
+    /// rigid mode.
+    pub residuals: Vec<f64>,
+}
+
+/// Above this ratio of λ to the smallest λ the rounding of the eigensolver, which is relative to
+/// the largest 1/λ, is taken out by a Rayleigh quotient.
+const SPREAD_FOR_QUOTIENT: f64 = 1e3;
+/// Above this ratio of λ₂ to λ₁ the modes from the second on are solved apart from the first.
+const SPREAD_FOR_SHIFT: f64 = 1e5;
+/// Share of the largest 1/λ below which an eigenvalue is nothing but rounding.
+const NOTHING: f64 = 1e-13;
+/// Steps of the QR iteration; about two per eigenvalue is usual.
+const STEPS_PER_EIGENVALUE: usize = 60;
+
+/// The `count` lowest modes of G q = λ M q, G positive definite but for at most one function with a
+/// zero row (a rigid motion), M positive semidefinite; only what the lower triangles hold is used.
+///
+/// # Errors
+/// [`EigenError`].
+pub fn lowest(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<Eigen, EigenError> {
+    if g.iter().chain(m.iter()).any(|v| !v.is_finite()) {
+        return Err(EigenError::NonFinite);
+    }
+    match (0..g.nrows()).find(|&i| g[(i, i)] == 0.0) {
+        Some(rigid) => with_rigid_mode(g, m, rigid, count),
+        None => elastic(g, m, count),
+    }
+}
+
+/// The rigid function is a mode with λ = 0. The others are orthogonal to it, (M q)_rigid = 0; that
+/// gives their rigid component and leaves a problem with M's Schur complement.
+fn with_rigid_mode(g: &DMatrix<f64>, m: &DMatrix<f64>, rigid: usize, count: usize) -> Result<Eigen, EigenError> {
+    let n = g.nrows();
+    let inertia = m[(rigid, rigid)];
+    if inertia <= 0.0 {
+        return Err(EigenError::TooFewModes(0));
+    }
+    let row = m.column(rigid).remove_row(rigid) / inertia;
+    let mut reduced = m.clone().remove_row(rigid).remove_column(rigid);
+    reduced.ger(-inertia, &row, &row, 1.0);
+    let others = if count > 1 && n > 1 {
+        elastic(&g.clone().remove_row(rigid).remove_column(rigid), &reduced, count - 1).map_err(
+            |error| match error {
+                EigenError::TooFewModes(left) => EigenError::TooFewModes(left + 1),
+                other => other,
+            },
+        )?
+    } else {
+        Eigen { values: Vec::new(), vectors: DMatrix::zeros(n - 1, 0), residuals: Vec::new() }
+    };
+    let modes = others.values.len() + 1;
+    let mut vectors = others.vectors.insert_row(rigid, 0.0).insert_column(0, 0.0);
+    vectors[(rigid, 0)] = 1.0 / sqrt(inertia);
+    for mode in 1..modes {
+        let elastic = vectors.column(mode).remove_row(rigid);
+        vectors[(rigid, mode)] = -row.dot(&elastic);
+    }
+    let with_zero = |list: Vec<f64>| core::iter::once(0.0).chain(list).collect();
+    Ok(Eigen { values: with_zero(others.values), vectors, residuals: with_zero(others.residuals) })
+}
+
+/// The problem without a rigid mode.
+fn elastic(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<Eigen, EigenError> {
+    let n = g.nrows();
+    if g.diagonal().iter().any(|&d| d <= 0.0) {
+        return Err(EigenError::NotPositiveDefinite);
+    }
+    let scale = g.diagonal().map(|d| 1.0 / sqrt(d));
+    let g = scaled(g, &scale);
+    let m = scaled(m, &scale);
+    let wanted = count.min(n);
+    let (mut inverse, mut vectors) = largest_inverse(&g, &m, wanted)?;
+    if wanted > 1 && inverse[0] > SPREAD_FOR_SHIFT * inverse[1] {
+        // The first mode lies far below the rest: with G + σM, σ about λ₂, those have full accuracy.
+        // The diagonal's Rayleigh quotients tell the size of λ₂.
+        let mut quotients: Vec<f64> = m.diagonal().iter().filter(|&&d| d > 0.0).map(|d| 1.0 / d).collect();
+        quotients.sort_by(f64::total_cmp);
+        if let Some(&sigma) = quotients.get(1) {
+            let (shifted, apart) = largest_inverse(&(&g + &m * sigma), &m, wanted)?;
+            for mode in 1..wanted {
+                inverse[mode] = 1.0 / (1.0 / shifted[mode] - sigma);
+                vectors.set_column(mode, &apart.column(mode));
+            }
+        }
+    }
+    let determined = inverse.iter().take_while(|&&v| v > 0.0).count();
+    if determined < wanted {
+        return Err(EigenError::TooFewModes(determined));
+    }
+    let mut values: Vec<f64> = inverse.iter().map(|v| 1.0 / v).collect();
+    let mut residuals = Vec::with_capacity(wanted);
+    for (mode, value) in values.iter_mut().enumerate() {
+        let mut vector = vectors.column_mut(mode);
+        let (stiffness, inertia) = (&g * &vector, &m * &vector);
+        let (energy, norm) = (vector.dot(&stiffness), vector.dot(&inertia));
+        if *value * inverse[0] > SPREAD_FOR_QUOTIENT {
+            *value = energy / norm;
+        }
+        let residual = (stiffness - &inertia * *value).norm() / (*value * inertia.norm());
+        residuals.push(residual);
+        let largest = vector.iter().fold(0.0_f64, |best, &v| if v.abs() > best.abs() { v } else { best });
+        let factor = if largest < 0.0 { -1.0 } else { 1.0 } / sqrt(norm);
+        vector.iter_mut().zip(scale.iter()).for_each(|(v, s)| *v *= factor * s);
+    }
+    Ok(Eigen { values, vectors, residuals })
+}
+
+/// The `count` largest 1/λ, descending, and their vectors; 1/λ below what rounding leaves is 0.
+fn largest_inverse(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<(Vec<f64>, DMatrix<f64>), EigenError> {
+    let n = g.nrows();
+    let l = Cholesky::new(g.clone()).ok_or(EigenError::NotPositiveDefinite)?.unpack();
+    // A = L⁻¹ M L⁻ᵀ: two triangular solves, the second on the transpose of the first.
+    let mut a = m.clone();
+    let solved = l.solve_lower_triangular_mut(&mut a);
+    a.transpose_mut();
+    if !(solved && l.solve_lower_triangular_mut(&mut a)) {
+        return Err(EigenError::NotPositiveDefinite);
+    }
+    let eigen = SymmetricEigen::try_new(a, f64::EPSILON, STEPS_PER_EIGENVALUE * n).ok_or(EigenError::NotConverged)?;
+    if eigen.eigenvalues.iter().any(|v| !v.is_finite()) {
+        return Err(EigenError::NotConverged);
+    }
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|&i, &j| f64::total_cmp(&eigen.eigenvalues[j], &eigen.eigenvalues[i]));
+    let floor = NOTHING * order.first().map_or(0.0, |&i| eigen.eigenvalues[i]);
+    let mut values = Vec::with_capacity(count);
+    let mut vectors = DMatrix::zeros(n, count);
+    for (mode, &index) in order.iter().take(count).enumerate() {
+        let value = eigen.eigenvalues[index];
+        values.push(if value > floor { value } else { 0.0 });
+        vectors.set_column(mode, &eigen.eigenvectors.column(index));
+    }
+    if !l.tr_solve_lower_triangular_mut(&mut vectors) {
+        return Err(EigenError::NotPositiveDefinite);
+    }
+    Ok((values, vectors))
+}
+
+/// S A S with S = diag(scale).
+fn scaled(a: &DMatrix<f64>, scale: &DVector<f64>) -> DMatrix<f64> {
+    DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| {
+        // The lower triangle serves both halves, so that the result is symmetric to the bit.
+        let (i, j) = if i >= j { (i, j) } else { (j, i) };
+        a[(i, j)] * (scale[i] * scale[j])
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::vec;
+
+    /// A chain of two masses on springs: λ = (3 ± √5)/2.
+    #[test]
+    fn two_masses_on_springs() {
+        let g = DMatrix::from_row_slice(2, 2, &[2.0, -1.0, -1.0, 1.0]);
+        let m = DMatrix::identity(2, 2);
+        let eigen = lowest(&g, &m, 2).unwrap();
+        let root5 = 5.0_f64.sqrt();
+        for (value, exact) in eigen.values.iter().zip([(3.0 - root5) / 2.0, (3.0 + root5) / 2.0]) {
+            assert!((value - exact).abs() < 1e-15, "{value}");
+        }
+        let gram = eigen.vectors.transpose() * &m * &eigen.vectors;
+        assert!((gram - DMatrix::<f64>::identity(2, 2)).amax() < 1e-15, "orthonormal");
+        assert!(eigen.residuals.iter().all(|r| *r < 1e-15), "{:?}", eigen.residuals);
+    }
+
+    #[test]
+    fn a_zero_row_is_a_rigid_mode_at_exactly_zero() {
+        // Free–free chain of two masses in the basis (both together, second alone).
+        let g = DMatrix::from_row_slice(2, 2, &[0.0, 0.0, 0.0, 1.0]);
+        let m = DMatrix::from_row_slice(2, 2, &[3.0, 2.0, 2.0, 2.0]);
+        let eigen = lowest(&g, &m, 2).unwrap();
+        assert_eq!(eigen.values[0], 0.0);
+        // Masses 1 and 2 on a unit spring: λ = 1/1 + 1/2.
+        assert!((eigen.values[1] - 1.5).abs() < 1e-15, "{}", eigen.values[1]);
+        let gram = eigen.vectors.transpose() * &m * &eigen.vectors;
+        assert!((gram - DMatrix::<f64>::identity(2, 2)).amax() < 1e-15, "orthonormal");
+    }
+
+    #[test]
+    fn modes_twelve_orders_apart_keep_their_digits() {
+        let g = DMatrix::from_row_slice(3, 3, &[1e-12, 1e-13, 0.0, 1e-13, 2.0, -1.0, 0.0, -1.0, 1.0]);
+        let eigen = lowest(&g, &DMatrix::identity(3, 3), 3).unwrap();
+        let root5 = 5.0_f64.sqrt();
+        assert!((eigen.values[0] / 1e-12 - 1.0).abs() < 1e-12, "{}", eigen.values[0]);
+        for (value, exact) in eigen.values[1..].iter().zip([(3.0 - root5) / 2.0, (3.0 + root5) / 2.0]) {
+            assert!((value / exact - 1.0).abs() < 1e-14, "{value}");
+        }
+    }
+
+    #[test]
+    fn unsolvable_problems_are_errors() {
+        let one = DMatrix::<f64>::identity(2, 2);
+        assert_eq!(lowest(&(-&one), &one, 1).unwrap_err(), EigenError::NotPositiveDefinite);
+        assert_eq!(lowest(&(&one * f64::NAN), &one, 1).unwrap_err(), EigenError::NonFinite);
+        let singular = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 0.0]));
+        assert_eq!(lowest(&one, &singular, 2).unwrap_err(), EigenError::TooFewModes(1));
+    }
+}

@@ -1,0 +1,57 @@
+//! The one door to the transcendental functions: libm on every target, so that native and WASM
+//! results are the same bits.
+
+/// sin x and cos x.
+pub fn sin_cos(x: f64) -> (f64, f64) {
+    libm::sincos(x)
+}
+
+/// cos x.
+pub fn cos(x: f64) -> f64 {
+    libm::cos(x)
+}
+
+/// eˣ.
+pub fn exp(x: f64) -> f64 {
+    libm::exp(x)
+}
+
+/// Square root.
+pub fn sqrt(x: f64) -> f64 {
+    libm::sqrt(x)
+}
+
+/// Fourth root of a number not below 0.
+pub fn fourth_root(x: f64) -> f64 {
+    sqrt(sqrt(x))
+}
+
+/// √(x² + y²) without overflow.
+pub fn hypot(x: f64, y: f64) -> f64 {
+    libm::hypot(x, y)
+}
+
+/// The smallest whole number not below `x`.
+pub fn ceil(x: f64) -> f64 {
+    libm::ceil(x)
+}
+
+/// The largest whole number not above `x`.
+pub fn floor(x: f64) -> f64 {
+    libm::floor(x)
+}
+
+/// The nearest whole number, halves away from 0.
+pub fn round(x: f64) -> f64 {
+    libm::round(x)
+}
+
+/// Decimal logarithm.
+pub fn log10(x: f64) -> f64 {
+    libm::log10(x)
+}
+
+/// xʸ.
+pub fn pow(x: f64, y: f64) -> f64 {
+    libm::pow(x, y)
+}
