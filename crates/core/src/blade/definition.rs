@@ -1,5 +1,6 @@
 //! A blade as its author gives it: plain data, in the author's units, not yet checked.
 
+use crate::dof::Dof;
 use crate::units::Units;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -33,8 +34,13 @@ pub struct BladeDefinition {
 pub struct Source {
     /// Author, title, report number, table.
     pub citation: Option<String>,
-    /// `published`, `estimated` or `example`.
+    /// One of [`QUALITIES`](Self::QUALITIES).
     pub quality: Option<String>,
+}
+
+impl Source {
+    /// What a source may call itself.
+    pub const QUALITIES: &'static [&'static str] = &["published", "estimated", "example"];
 }
 
 /// The rotor's own numbers.
@@ -61,6 +67,37 @@ pub enum RootKind {
     Rigid,
     /// Torsion, pitch control with a spring (`spring`).
     Spring,
+}
+
+impl RootKind {
+    /// Roots of flap and lag.
+    pub const BENDING: &'static [Self] = &[Self::Hingeless, Self::Hinged, Self::SpringHinged];
+    /// Roots of torsion.
+    pub const TORSION: &'static [Self] = &[Self::Rigid, Self::Spring];
+
+    /// The roots that a degree of freedom can have.
+    pub const fn choices(dof: Dof) -> &'static [Self] {
+        match dof {
+            Dof::Flap | Dof::Lag => Self::BENDING,
+            Dof::Torsion => Self::TORSION,
+        }
+    }
+
+    /// The word of the blade file.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Hingeless => "hingeless",
+            Self::Hinged => "hinged",
+            Self::SpringHinged => "spring-hinged",
+            Self::Rigid => "rigid",
+            Self::Spring => "spring",
+        }
+    }
+
+    /// Whether a spring goes with this root.
+    pub const fn takes_spring(self) -> bool {
+        matches!(self, Self::SpringHinged | Self::Spring)
+    }
 }
 
 /// Root of one degree of freedom.

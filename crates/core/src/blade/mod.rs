@@ -1,9 +1,12 @@
 //! The blade: as given (definition), and as checked (model).
 
+mod check;
 mod definition;
 mod model;
 mod tension;
 
+pub use check::check;
+pub(crate) use check::{Shortest, choice_fault, shortest};
 pub use definition::{
     BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Source,
 };

@@ -1,1 +1,113 @@
 //! Blade files (TOML, JSON) and measured points (CSV).
+//!
+//! ```text
+//! text ─from_toml, from_json→ Tree ─reader→ BladeDefinition ─check→ Blade
+//! BladeDefinition ─write→ Tree → TOML, JSON
+//! ```
+//! A [`Tree`] knows where in the text each key and value stands, so every fault has a line and a
+//! column, be it found by the parser, by the reader or by the check.
+
+mod from_json;
+mod from_toml;
+pub mod measured;
+mod place;
+mod reader;
+mod tree;
+mod write;
+
+pub use tree::{Entry, Node, Tree};
+pub use write::{to_json, to_toml};
+
+use crate::blade::{Blade, BladeDefinition, check};
+use crate::fault::Fault;
+use alloc::vec::Vec;
+use place::{Placed, drop_consequences, in_order};
+use reader::Reader;
+
+/// The schema that this version reads and writes.
+pub const SCHEMA: &str = "bladefan-blade/1";
+
+/// What a text is written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// TOML 1.1.
+    Toml,
+    /// JSON (RFC 8259): no comments, no trailing commas.
+    Json,
+}
+
+impl Format {
+    /// JSON where the first character that is not blank is `{`, else TOML.
+    pub fn of_text(text: &str) -> Self {
+        let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
+        if text.trim_start().starts_with('{') { Self::Json } else { Self::Toml }
+    }
+
+    /// By the ending of a file's name, `.toml` or `.json` in any case.
+    pub fn of_name(name: &str) -> Option<Self> {
+        let (_, ending) = name.rsplit_once('.')?;
+        if ending.eq_ignore_ascii_case("toml") {
+            Some(Self::Toml)
+        } else if ending.eq_ignore_ascii_case("json") {
+            Some(Self::Json)
+        } else {
+            None
+        }
+    }
+}
+
+/// Editors may put it first; it is no part of the text.
+const BYTE_ORDER_MARK: char = '\u{feff}';
+
+/// A blade file that was read without a fault: as given, and as checked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BladeFile {
+    /// What the file says, in its own units.
+    pub definition: BladeDefinition,
+    /// The blade in SI units.
+    pub blade: Blade,
+}
+
+/// Reads a blade file.
+///
+/// # Errors
+/// Every fault of the text, ordered by place, each with line and column: of the value or the key;
+/// for a key that is missing, of its table. A text that is not TOML or JSON has only faults of
+/// syntax: what else is wrong with it cannot be known.
+///
+/// ```
+/// use bladefan_core::file::{Format, read};
+/// let faults = read("schema = \"bladefan-blade/1\"\nname = 4\n", Format::Toml).unwrap_err();
+/// assert_eq!(faults.last().unwrap().to_string(), "2:8: name: name must be text (is 4)");
+/// ```
+pub fn read(text: &str, format: Format) -> Result<BladeFile, Vec<Fault>> {
+    let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
+    let tree = match format {
+        Format::Toml => from_toml::tree(text),
+        Format::Json => from_json::tree(text),
+    };
+    tree.and_then(|tree| read_placed(&tree)).map_err(|faults| in_order(text, faults))
+}
+
+/// Reads a blade from an object that came from elsewhere, JavaScript say, in the file's keys.
+///
+/// # Errors
+/// Every fault, without line and column.
+pub fn read_tree(tree: &Tree) -> Result<BladeFile, Vec<Fault>> {
+    read_placed(tree).map_err(|faults| faults.into_iter().map(|placed| placed.fault).collect())
+}
+
+fn read_placed(tree: &Tree) -> Result<BladeFile, Vec<Placed>> {
+    let mut reader = Reader::default();
+    let definition = reader.definition(tree);
+    let mut faults = reader.faults;
+    match check(&definition) {
+        Ok(blade) if faults.is_empty() => Ok(BladeFile { definition, blade }),
+        Ok(_) => Err(faults),
+        Err(found) => {
+            let found = drop_consequences(found, &faults);
+            faults.extend(found.into_iter().map(|fault| Placed { at: place::find(tree, &fault.path), fault }));
+            Err(faults)
+        }
+    }
+}

@@ -1,0 +1,320 @@
+//! From a definition to a blade: every fault at once, and the one conversion to SI units.
+
+mod distribution;
+
+use super::definition::{BladeDefinition, RootDefinition, RootKind, RotorDefinition, Source};
+use super::model::{Blade, Root, RootCondition};
+use crate::dof::Dof;
+use crate::fault::{Fault, FaultCode, Warning};
+use crate::units::Units;
+use alloc::format;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+use core::fmt;
+use distribution::Distribution;
+
+/// Two radii nearer than this times R are one place, so far as ends and gaps go.
+const NEAR: f64 = 1e-9;
+
+/// Checks a definition and converts it to SI units.
+///
+/// # Errors
+/// Every rule of the blade file that the definition breaks, in the order of the file's keys, each
+/// with its path and the value in the definition's own units.
+pub fn check(definition: &BladeDefinition) -> Result<Blade, Vec<Fault>> {
+    let mut checker = Checker { units: definition.units, faults: Vec::new(), warnings: Vec::new() };
+    let name = definition.name.clone();
+    if name.is_none() {
+        checker.missing("name", "name of the blade");
+    }
+    checker.source(definition.source.as_ref());
+    let rotor = checker.rotor(definition.rotor.as_ref());
+    let radius = rotor.radius;
+    let mut root = |dof: Dof, given: Option<&RootDefinition>| checker.root(dof, given, radius);
+    let roots = [
+        root(Dof::Flap, definition.flap.as_ref()),
+        root(Dof::Lag, definition.lag.as_ref()),
+        root(Dof::Torsion, definition.torsion.as_ref()),
+    ];
+    let distribution = checker.distribution(definition.distribution.as_ref(), radius, &roots);
+    let Checker { faults, warnings, .. } = checker;
+    let blade = assemble(name, &rotor, roots, distribution, warnings);
+    // Without a fault nothing is missing, so the blade is there.
+    if faults.is_empty() { blade.ok_or(faults) } else { Err(faults) }
+}
+
+fn assemble(
+    name: Option<String>,
+    rotor: &Rotor,
+    [flap, lag, torsion]: [CheckedRoot; 3],
+    distribution: Distribution,
+    warnings: Vec<Warning>,
+) -> Option<Blade> {
+    let [flap_stiffness, lag_stiffness, torsion_stiffness] = distribution.stiffness;
+    Some(Blade {
+        name: name?,
+        radius: rotor.radius?.si,
+        nominal_speed: rotor.nominal_speed?,
+        blades: rotor.blades,
+        roots: [flap.root()?, lag.root()?, torsion.root()?],
+        mass: distribution.mass?,
+        stiffness: [flap_stiffness?, lag_stiffness?, torsion_stiffness?],
+        polar_inertia: distribution.polar_inertia?,
+        mass_offset: distribution.mass_offset?,
+        warnings,
+    })
+}
+
+/// A number as the shortest text that reads back to it, with an exponent only where it helps.
+pub(crate) struct Shortest(pub f64);
+
+impl fmt::Display for Shortest {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(value) = *self;
+        if value == 0.0 || (1e-4..1e15).contains(&value.abs()) || !value.is_finite() {
+            write!(f, "{value}")
+        } else {
+            write!(f, "{value:e}")
+        }
+    }
+}
+
+/// [`Shortest`] as a string.
+pub(crate) fn shortest(value: f64) -> String {
+    Shortest(value).to_string()
+}
+
+/// A word that is not one of the choices.
+pub(crate) fn choice_fault(code: FaultCode, path: &str, subject: &str, given: &str, choices: &[&str]) -> Fault {
+    let rule = match choices {
+        [head @ .., before, last] if !head.is_empty() => format!("must be {}, {before} or {last}", head.join(", ")),
+        _ => format!("must be {}", choices.join(" or ")),
+    };
+    let message = format!("{subject} {rule} (is {given})");
+    Fault::new(code, path, Some(given.into()), rule, message)
+}
+
+/// A length in the file's unit, for messages, and in metres.
+#[derive(Clone, Copy)]
+struct Length {
+    given: f64,
+    si: f64,
+}
+
+struct Rotor {
+    radius: Option<Length>,
+    nominal_speed: Option<f64>,
+    blades: Option<u32>,
+}
+
+/// What is known of a root, be it sound or not.
+#[derive(Clone, Copy)]
+struct CheckedRoot {
+    offset: Option<Length>,
+    condition: Option<RootCondition>,
+}
+
+impl CheckedRoot {
+    fn root(&self) -> Option<Root> {
+        Some(Root { offset: self.offset?.si, condition: self.condition? })
+    }
+}
+
+/// Which numbers a quantity may be.
+#[derive(Clone, Copy)]
+enum Range {
+    Positive,
+    NotNegative,
+    Finite,
+}
+
+impl Range {
+    fn holds(self, value: f64) -> bool {
+        match self {
+            Self::Positive => value > 0.0,
+            Self::NotNegative => value >= 0.0,
+            Self::Finite => true,
+        }
+    }
+
+    const fn rule(self) -> &'static str {
+        match self {
+            Self::Positive => "must be greater than 0",
+            Self::NotNegative => "must be at least 0",
+            Self::Finite => "must be finite",
+        }
+    }
+}
+
+struct Checker {
+    units: Units,
+    faults: Vec<Fault>,
+    warnings: Vec<Warning>,
+}
+
+impl Checker {
+    fn refuse(&mut self, code: FaultCode, path: &str, value: Option<String>, subject: &str, rule: &str) {
+        let is = value.as_ref().map(|value| format!(" (is {value})")).unwrap_or_default();
+        self.faults.push(Fault::new(code, path, value, rule, format!("{subject} {rule}{is}")));
+    }
+
+    fn missing(&mut self, path: &str, subject: &str) {
+        self.refuse(FaultCode::Missing, path, None, subject, "must be given");
+    }
+
+    fn warn(&mut self, path: &str, message: &str) {
+        self.warnings.push(Warning { path: path.into(), message: message.into() });
+    }
+
+    /// One number, converted with `factor` to SI units; none where it is faulty.
+    fn number(
+        &mut self,
+        path: &dyn fmt::Display,
+        subject: &dyn fmt::Display,
+        value: f64,
+        factor: f64,
+        range: Range,
+    ) -> Option<f64> {
+        let si = value * factor;
+        let (code, rule) = if !value.is_finite() {
+            (FaultCode::NotFinite, "must be finite")
+        } else if !si.is_finite() {
+            (FaultCode::NotFinite, "must be finite in SI units")
+        } else if !range.holds(si) {
+            (FaultCode::OutOfRange, range.rule())
+        } else {
+            return Some(si);
+        };
+        self.refuse(code, &path.to_string(), Some(shortest(value)), &subject.to_string(), rule);
+        None
+    }
+
+    fn source(&mut self, source: Option<&Source>) {
+        if let Some(quality) = source.and_then(|source| source.quality.as_deref())
+            && !Source::QUALITIES.contains(&quality)
+        {
+            let code = FaultCode::UnknownChoice;
+            self.faults.push(choice_fault(code, "source.quality", "quality", quality, Source::QUALITIES));
+        }
+    }
+
+    fn rotor(&mut self, rotor: Option<&RotorDefinition>) -> Rotor {
+        let Some(rotor) = rotor else {
+            self.missing("rotor", "rotor");
+            return Rotor { radius: None, nominal_speed: None, blades: None };
+        };
+        let (length, speed) = (self.units.length.si(), self.units.speed.si());
+        let mut required = |path: &str, subject: &str, given: Option<f64>, factor: f64| {
+            if given.is_none() {
+                self.missing(path, subject);
+            }
+            self.number(&path, &subject, given?, factor, Range::Positive)
+        };
+        let radius = required("rotor.radius", "tip radius", rotor.radius, length);
+        let radius = rotor.radius.zip(radius).map(|(given, si)| Length { given, si });
+        let nominal_speed = required("rotor.nominal_speed", "nominal speed", rotor.nominal_speed, speed);
+        let blades = rotor.blades.and_then(|blades| self.blades(blades));
+        Rotor { radius, nominal_speed, blades }
+    }
+
+    fn blades(&mut self, blades: f64) -> Option<u32> {
+        let (path, subject) = ("rotor.blades", "number of blades");
+        let blades = self.number(&path, &subject, blades, 1.0, Range::Finite)?;
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "compared with the number it came from"
+        )]
+        let whole = blades as u32;
+        #[allow(clippy::float_cmp, reason = "a whole number is exact")]
+        if whole >= 1 && f64::from(whole) == blades {
+            return Some(whole);
+        }
+        let rule = "must be a whole number of at least 1";
+        self.refuse(FaultCode::OutOfRange, path, Some(shortest(blades)), subject, rule);
+        None
+    }
+
+    fn root(&mut self, dof: Dof, given: Option<&RootDefinition>, radius: Option<Length>) -> CheckedRoot {
+        let Some(given) = given else {
+            self.missing(dof.name(), &format!("{dof} root"));
+            return CheckedRoot { offset: None, condition: None };
+        };
+        CheckedRoot { offset: self.offset(dof, given, radius), condition: self.condition(dof, given) }
+    }
+
+    /// Radius of hinge or root; 0 where none is given.
+    fn offset(&mut self, dof: Dof, given: &RootDefinition, radius: Option<Length>) -> Option<Length> {
+        let subject = format!("{dof} offset");
+        let (ratio_path, offset_path) = (format!("{dof}.offset_ratio"), format!("{dof}.offset"));
+        match (given.offset, given.offset_ratio) {
+            (None, None) => Some(Length { given: 0.0, si: 0.0 }),
+            (Some(_), Some(ratio)) => {
+                let rule = "must be given as offset or as offset_ratio, not both";
+                self.refuse(FaultCode::Conflict, &ratio_path, Some(shortest(ratio)), &subject, rule);
+                None
+            }
+            (None, Some(ratio)) => {
+                let ratio = self.number(&ratio_path, &format!("{subject} ratio"), ratio, 1.0, Range::NotNegative)?;
+                if ratio >= 1.0 {
+                    let subject = format!("{subject} ratio");
+                    self.refuse(
+                        FaultCode::OutOfRange,
+                        &ratio_path,
+                        Some(shortest(ratio)),
+                        &subject,
+                        "must be less than 1",
+                    );
+                    return None;
+                }
+                let radius = radius?;
+                Some(Length { given: ratio * radius.given, si: ratio * radius.si })
+            }
+            (Some(offset), None) => {
+                let si = self.number(&offset_path, &subject, offset, self.units.length.si(), Range::NotNegative)?;
+                if let Some(radius) = radius
+                    && si >= radius.si
+                {
+                    let rule =
+                        format!("must be less than the tip radius {} {}", Shortest(radius.given), self.units.length);
+                    self.refuse(FaultCode::OutOfRange, &offset_path, Some(shortest(offset)), &subject, &rule);
+                    return None;
+                }
+                Some(Length { given: offset, si })
+            }
+        }
+    }
+
+    fn condition(&mut self, dof: Dof, given: &RootDefinition) -> Option<RootCondition> {
+        let path = format!("{dof}.spring");
+        let subject = format!("{dof} spring");
+        let spring = given.spring.map(|spring| {
+            let factor = self.units.spring();
+            self.number(&path, &subject, spring, factor, Range::NotNegative)
+        });
+        let Some(kind) = given.root else {
+            self.missing(&format!("{dof}.root"), &format!("{dof} root"));
+            return None;
+        };
+        let choices = RootKind::choices(dof);
+        if !choices.contains(&kind) {
+            let names: Vec<&str> = choices.iter().map(|kind| kind.name()).collect();
+            let (path, subject) = (format!("{dof}.root"), format!("{dof} root"));
+            self.faults.push(choice_fault(FaultCode::UnknownChoice, &path, &subject, kind.name(), &names));
+            return None;
+        }
+        if !kind.takes_spring() {
+            if let Some(spring) = given.spring {
+                let rule = format!("does not belong to a {} root", kind.name());
+                self.refuse(FaultCode::Conflict, &path, Some(shortest(spring)), &subject, &rule);
+            }
+            return Some(if kind == RootKind::Hinged { RootCondition::Free } else { RootCondition::Clamped });
+        }
+        if spring.is_none() {
+            let rule = format!("must be given for a {} root", kind.name());
+            self.refuse(FaultCode::Missing, &path, None, &subject, &rule);
+        }
+        // A spring of 0 holds nothing.
+        spring?.map(|k| if k > 0.0 { RootCondition::Spring(k) } else { RootCondition::Free })
+    }
+}

@@ -1,0 +1,92 @@
+//! Where faults stand in the text, and which of them only follow from others.
+
+use super::tree::{Node, Tree};
+use crate::fault::{Fault, FaultCode};
+use alloc::collections::BTreeSet;
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+/// A fault and the byte of the text it stands at.
+pub(super) struct Placed {
+    pub(super) at: Option<usize>,
+    pub(super) fault: Fault,
+}
+
+/// The place of a path as the check writes it (`distribution.mass[3]`): of the value, or of the
+/// innermost table or list around it that is there; the text's beginning for a missing table.
+pub(super) fn find(tree: &Tree, path: &str) -> Option<usize> {
+    tree.span.as_ref()?;
+    let mut here = tree;
+    let mut at = 0;
+    for step in path.split(['.', '[']) {
+        let below = match step.strip_suffix(']') {
+            Some(index) => match &here.node {
+                Node::List(values) => index.parse().ok().and_then(|index: usize| values.get(index)),
+                _ => None,
+            },
+            None => here.get(step),
+        };
+        let Some(below) = below else { break };
+        at = below.at().unwrap_or(at);
+        here = below;
+    }
+    Some(at)
+}
+
+/// Orders faults by place and gives each its line and column, both from 1, columns in characters.
+pub(super) fn in_order(text: &str, mut faults: Vec<Placed>) -> Vec<Fault> {
+    faults.sort_by_key(|placed| placed.at);
+    let (mut line, mut column, mut reached) = (1_u32, 1_u32, 0);
+    let mut rest = text.chars();
+    // One walk through the text for all faults, which may be many on one long line.
+    faults
+        .into_iter()
+        .map(|Placed { at, mut fault }| {
+            let Some(at) = at else { return fault };
+            while reached < at.min(text.len()) {
+                let Some(c) = rest.next() else { break };
+                reached += c.len_utf8();
+                if c == '\n' {
+                    line = line.saturating_add(1);
+                    column = 1;
+                } else {
+                    column = column.saturating_add(1);
+                }
+            }
+            fault.line = Some(line);
+            fault.column = Some(column);
+            fault
+        })
+        .collect()
+}
+
+/// Leaves out what the check found only because the reader had already refused a value: the same
+/// path, a path below it, or something missing or unreadable around it.
+pub(super) fn drop_consequences(found: Vec<Fault>, refused: &[Placed]) -> Vec<Fault> {
+    let refused: BTreeSet<&str> = refused.iter().map(|placed| placed.fault.path.as_str()).collect();
+    let starts_below = |path: &str, separator: char| {
+        let prefix = format!("{path}{separator}");
+        refused.range(prefix.as_str()..).next().is_some_and(|next| next.starts_with(&prefix))
+    };
+    let follows = |fault: &Fault| {
+        let path = fault.path.as_str();
+        let ends = path.char_indices().filter(|(_, c)| matches!(c, '.' | '[')).map(|(i, _)| i);
+        ends.chain([path.len()]).any(|end| refused.contains(&path[..end]))
+            || matches!(fault.code, FaultCode::Missing | FaultCode::NotFinite)
+                && (starts_below(path, '.') || starts_below(path, '['))
+    };
+    found.into_iter().filter(|fault| !follows(fault)).collect()
+}
+
+/// A library's message in our style: no capital at its start.
+pub(super) fn decapitalised(message: &str) -> String {
+    let mut chars = message.chars();
+    match chars.next() {
+        // A word in capitals (TOML, NaN) stays.
+        Some(first) if !chars.clone().next().is_some_and(char::is_uppercase) => {
+            first.to_lowercase().chain(chars).collect()
+        }
+        _ => message.into(),
+    }
+}

@@ -1,0 +1,313 @@
+//! A tree to a definition: keys, types, words and units.
+
+use super::SCHEMA;
+use super::place::Placed;
+use super::tree::{Entry, Node, Tree};
+use crate::blade::{
+    BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Shortest,
+    Source, choice_fault,
+};
+use crate::dof::Dof;
+use crate::fault::{Fault, FaultCode};
+use crate::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit, Units};
+use alloc::format;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+
+/// Longest piece of a file that is repeated in a message, in characters.
+const LONGEST: usize = 40;
+
+/// Reads trees and keeps every fault.
+///
+/// A value that was refused is read as not a number, never as absent, so that the check does not
+/// take a default for it.
+#[derive(Default)]
+pub(super) struct Reader {
+    pub(super) faults: Vec<Placed>,
+}
+
+/// A table of the file and its path, with a dot at its end; empty for the whole file.
+struct Table<'t> {
+    prefix: String,
+    at: Option<usize>,
+    entries: &'t [Entry],
+}
+
+impl<'t> Table<'t> {
+    /// The value of a key; `null` counts as absent.
+    fn get(&self, key: &str) -> Option<&'t Tree> {
+        let entry = self.entries.iter().find(|entry| entry.key == key)?;
+        (entry.value.node != Node::Null).then_some(&entry.value)
+    }
+
+    fn path(&self, key: &str) -> String {
+        format!("{}{key}", self.prefix)
+    }
+}
+
+impl Reader {
+    /// Reads a whole blade file.
+    pub(super) fn definition(&mut self, tree: &Tree) -> BladeDefinition {
+        let known = ["schema", "name", "notes", "source", "units", "rotor", "flap", "lag", "torsion", "distribution"];
+        let Some(file) = self.table("", tree, &known) else { return BladeDefinition::default() };
+        self.schema(&file);
+        BladeDefinition {
+            name: self.text(&file, "name"),
+            notes: self.text(&file, "notes"),
+            source: self
+                .sub_table(&file, "source", &["citation", "quality"])
+                .map(|table| Source { citation: self.text(&table, "citation"), quality: self.text(&table, "quality") }),
+            units: self.units(&file),
+            rotor: self.sub_table(&file, "rotor", &["radius", "nominal_speed", "blades"]).map(|table| {
+                RotorDefinition {
+                    radius: self.number(&table, "radius"),
+                    nominal_speed: self.number(&table, "nominal_speed"),
+                    blades: self.number(&table, "blades"),
+                }
+            }),
+            flap: self.root(&file, Dof::Flap),
+            lag: self.root(&file, Dof::Lag),
+            torsion: self.root(&file, Dof::Torsion),
+            distribution: self.distribution(&file),
+        }
+    }
+
+    fn push(&mut self, at: Option<usize>, fault: Fault) {
+        self.faults.push(Placed { at, fault });
+    }
+
+    fn wrong_type(&mut self, path: &str, tree: &Tree, rule: &str) {
+        let value = shown(tree);
+        let subject = if path.is_empty() { "the file".into() } else { words(path) };
+        let message = format!("{subject} {rule} (is {value})");
+        self.push(tree.at(), Fault::new(FaultCode::WrongType, path, Some(value), rule, message));
+    }
+
+    /// The entries of a table; a fault for every key that is not known.
+    fn table<'t>(&mut self, path: &str, tree: &'t Tree, known: &[&str]) -> Option<Table<'t>> {
+        let Node::Table(entries) = &tree.node else {
+            self.wrong_type(path, tree, "must be a table");
+            return None;
+        };
+        let prefix = if path.is_empty() { String::new() } else { format!("{path}.") };
+        for entry in entries.iter().filter(|entry| !known.contains(&entry.key.as_str())) {
+            let key = shown_key(&entry.key);
+            let rule = match nearest(&entry.key, known) {
+                Some(near) => format!("is not known here; the nearest known key is {near}"),
+                None => format!("is not known here; known keys are {}", known.join(", ")),
+            };
+            let message = format!("key {key} {rule}");
+            let at = entry.key_span.as_ref().map(|span| span.start);
+            self.push(at, Fault::new(FaultCode::UnknownKey, format!("{prefix}{key}"), None, rule, message));
+        }
+        Some(Table { prefix, at: tree.at(), entries })
+    }
+
+    fn sub_table<'t>(&mut self, parent: &Table<'t>, key: &str, known: &[&str]) -> Option<Table<'t>> {
+        self.table(&parent.path(key), parent.get(key)?, known)
+    }
+
+    fn schema(&mut self, file: &Table) {
+        let rule = format!("must be \"{SCHEMA}\"");
+        match file.get("schema") {
+            Some(Tree { node: Node::Text(text), .. }) if text == SCHEMA => {}
+            Some(tree) => {
+                let value = shown(tree);
+                let message = format!("schema {rule} (is {value})");
+                self.push(tree.at(), Fault::new(FaultCode::Schema, "schema", Some(value), rule, message));
+            }
+            None => {
+                let message = format!("schema must be given: {SCHEMA}");
+                // A file without a place has no beginning either.
+                self.push(file.at.map(|_| 0), Fault::new(FaultCode::Schema, "schema", None, rule, message));
+            }
+        }
+    }
+
+    fn text(&mut self, table: &Table, key: &str) -> Option<String> {
+        let tree = table.get(key)?;
+        if let Node::Text(text) = &tree.node {
+            return Some(text.clone());
+        }
+        self.wrong_type(&table.path(key), tree, "must be text");
+        None
+    }
+
+    fn number(&mut self, table: &Table, key: &str) -> Option<f64> {
+        let tree = table.get(key)?;
+        if let Node::Number(value) = tree.node {
+            return Some(value);
+        }
+        self.wrong_type(&table.path(key), tree, "must be a number");
+        Some(f64::NAN)
+    }
+
+    fn numbers(&mut self, path: &str, values: &[Tree]) -> Vec<f64> {
+        let number = |(i, tree): (usize, &Tree)| {
+            if let Node::Number(value) = tree.node {
+                return value;
+            }
+            self.wrong_type(&format!("{path}[{i}]"), tree, "must be a number");
+            f64::NAN
+        };
+        values.iter().enumerate().map(number).collect()
+    }
+
+    fn list(&mut self, table: &Table, key: &str) -> Option<Vec<f64>> {
+        let (path, tree) = (table.path(key), table.get(key)?);
+        if let Node::List(values) = &tree.node {
+            return Some(self.numbers(&path, values));
+        }
+        self.wrong_type(&path, tree, "must be a list of numbers");
+        None
+    }
+
+    fn units(&mut self, file: &Table) -> Units {
+        let si = Units::default();
+        let Some(table) = self.sub_table(file, "units", &["length", "mass", "force", "angle", "speed"]) else {
+            return si;
+        };
+        Units {
+            length: self.unit(&table, "length", LengthUnit::ALL, LengthUnit::name).unwrap_or(si.length),
+            mass: self.unit(&table, "mass", MassUnit::ALL, MassUnit::name).unwrap_or(si.mass),
+            force: self.unit(&table, "force", ForceUnit::ALL, ForceUnit::name).unwrap_or(si.force),
+            angle: self.unit(&table, "angle", AngleUnit::ALL, AngleUnit::name).unwrap_or(si.angle),
+            speed: self.unit(&table, "speed", SpeedUnit::ALL, SpeedUnit::name).unwrap_or(si.speed),
+        }
+    }
+
+    fn unit<U: Copy>(&mut self, table: &Table, key: &str, all: &[U], name: fn(U) -> &'static str) -> Option<U> {
+        self.choice(table, key, &format!("unit of {key}"), FaultCode::UnknownUnit, all, name)
+    }
+
+    /// One of some words.
+    fn choice<C: Copy>(
+        &mut self,
+        table: &Table,
+        key: &str,
+        subject: &str,
+        code: FaultCode,
+        all: &[C],
+        name: impl Fn(C) -> &'static str,
+    ) -> Option<C> {
+        let tree = table.get(key)?;
+        let Node::Text(given) = &tree.node else {
+            self.wrong_type(&table.path(key), tree, "must be text");
+            return None;
+        };
+        let found = all.iter().copied().find(|&choice| name(choice) == given);
+        if found.is_none() {
+            let names: Vec<&str> = all.iter().map(|&choice| name(choice)).collect();
+            let given = clipped(given);
+            self.push(tree.at(), choice_fault(code, &table.path(key), subject, &given, &names));
+        }
+        found
+    }
+
+    fn root(&mut self, file: &Table, dof: Dof) -> Option<RootDefinition> {
+        let table = self.sub_table(file, dof.name(), &["root", "offset", "offset_ratio", "spring"])?;
+        let (code, choices) = (FaultCode::UnknownChoice, RootKind::choices(dof));
+        Some(RootDefinition {
+            root: self.choice(&table, "root", &format!("{dof} root"), code, choices, RootKind::name),
+            offset: self.number(&table, "offset"),
+            offset_ratio: self.number(&table, "offset_ratio"),
+            spring: self.number(&table, "spring"),
+        })
+    }
+
+    fn distribution(&mut self, file: &Table) -> Option<DistributionDefinition> {
+        let known = [
+            "r",
+            "mass",
+            "flap_stiffness",
+            "lag_stiffness",
+            "torsion_stiffness",
+            "polar_inertia",
+            "mass_offset",
+            "twist",
+        ];
+        let table = self.sub_table(file, "distribution", &known)?;
+        Some(DistributionDefinition {
+            r: self.list(&table, "r"),
+            mass: self.property(&table, "mass"),
+            flap_stiffness: self.property(&table, "flap_stiffness"),
+            lag_stiffness: self.property(&table, "lag_stiffness"),
+            torsion_stiffness: self.property(&table, "torsion_stiffness"),
+            polar_inertia: self.property(&table, "polar_inertia"),
+            mass_offset: self.property(&table, "mass_offset"),
+            twist: self.property(&table, "twist"),
+        })
+    }
+
+    fn property(&mut self, parent: &Table, key: &str) -> Option<PropertyDefinition> {
+        let (path, tree) = (parent.path(key), parent.get(key)?);
+        let refused = PropertyDefinition::Uniform(f64::NAN);
+        Some(match &tree.node {
+            Node::Number(value) => PropertyDefinition::Uniform(*value),
+            Node::List(values) => PropertyDefinition::OnStations(self.numbers(&path, values)),
+            Node::Table(_) => {
+                let Some(table) = self.table(&path, tree, &["r", "values"]) else { return Some(refused) };
+                for key in ["r", "values"] {
+                    if table.get(key).is_none() {
+                        let message = format!("{} of {} must be given", key, words(&path));
+                        let fault = Fault::new(FaultCode::Missing, table.path(key), None, "must be given", message);
+                        self.push(table.at, fault);
+                    }
+                }
+                match (self.list(&table, "r"), self.list(&table, "values")) {
+                    (Some(r), Some(values)) => PropertyDefinition::OwnRadii { r, values },
+                    _ => refused,
+                }
+            }
+            _ => {
+                self.wrong_type(&path, tree, "must be a number, a list of numbers, or a table of r and values");
+                refused
+            }
+        })
+    }
+}
+
+/// The known key that an unknown one was most likely meant to be.
+fn nearest<'k>(key: &str, known: &[&'k str]) -> Option<&'k str> {
+    if key.chars().count() > LONGEST {
+        return None;
+    }
+    let key = key.to_lowercase();
+    let likeness = |known: &&&str| strsim::jaro_winkler(&key, known);
+    let best = known.iter().max_by(|a, b| likeness(a).total_cmp(&likeness(b)))?;
+    // Below this, likeness is chance.
+    (likeness(&best) > 0.75).then_some(*best)
+}
+
+/// The last key of a path in words: `distribution.flap_stiffness[3]` is flap stiffness [3].
+fn words(path: &str) -> String {
+    path.rsplit('.').next().unwrap_or(path).replace('_', " ").replace('[', " [")
+}
+
+/// A key as it stands in paths and messages: quoted where TOML would quote it.
+fn shown_key(key: &str) -> String {
+    let bare = !key.is_empty() && key.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
+    if bare { clipped(key) } else { format!("\"{}\"", clipped(key)) }
+}
+
+/// A value as it stands in messages.
+fn shown(tree: &Tree) -> String {
+    match &tree.node {
+        Node::Null => "null".into(),
+        Node::Bool(value) => value.to_string(),
+        Node::Number(value) => Shortest(*value).to_string(),
+        Node::Text(text) => format!("\"{}\"", clipped(text)),
+        Node::Date => "a date".into(),
+        Node::List(_) => "a list".into(),
+        Node::Table(_) => "a table".into(),
+    }
+}
+
+/// Text of a file in a message: one line, not too long.
+fn clipped(text: &str) -> String {
+    let mut short: String = text.chars().take(LONGEST).flat_map(char::escape_debug).collect();
+    if text.chars().nth(LONGEST).is_some() {
+        short.push('…');
+    }
+    short
+}
