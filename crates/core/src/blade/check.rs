@@ -154,7 +154,12 @@ struct Checker {
 
 impl Checker {
     fn refuse(&mut self, code: FaultCode, path: &str, value: Option<String>, subject: &str, rule: &str) {
-        let is = value.as_ref().map(|value| format!(" (is {value})")).unwrap_or_default();
+        self.refuse_as("is", code, path, value, subject, rule);
+    }
+
+    /// As [`refuse`](Self::refuse), with the word that joins the value to the message.
+    fn refuse_as(&mut self, word: &str, code: FaultCode, path: &str, value: Option<String>, subject: &str, rule: &str) {
+        let is = value.as_ref().map(|value| format!(" ({word} {value})")).unwrap_or_default();
         self.faults.push(Fault::new(code, path, value, rule, format!("{subject} {rule}{is}")));
     }
 

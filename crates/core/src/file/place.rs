@@ -71,8 +71,9 @@ pub(super) fn drop_consequences(found: Vec<Fault>, refused: &[Placed]) -> Vec<Fa
     };
     let follows = |fault: &Fault| {
         let path = fault.path.as_str();
+        // An empty path is the whole file.
         let ends = path.char_indices().filter(|(_, c)| matches!(c, '.' | '[')).map(|(i, _)| i);
-        ends.chain([path.len()]).any(|end| refused.contains(&path[..end]))
+        ends.chain([0, path.len()]).any(|end| refused.contains(&path[..end]))
             || matches!(fault.code, FaultCode::Missing | FaultCode::NotFinite)
                 && (starts_below(path, '.') || starts_below(path, '['))
     };

@@ -123,7 +123,7 @@ impl Checker {
     /// Checks radii: at least 0, never falling, a radius at most twice, none too near another.
     #[allow(clippy::float_cmp, reason = "a step is the same radius written twice")]
     fn stations<'a>(&mut self, path: String, given: &'a [f64], radius: Option<Length>) -> Stations<'a> {
-        let before = self.faults.len();
+        let known = self.faults.len();
         let unit = self.units.length;
         if given.is_empty() {
             self.refuse(FaultCode::Length, &path, None, "list of radii", "must have at least one radius");
@@ -132,7 +132,8 @@ impl Checker {
             if self.number(&format_args!("{path}[{i}]"), &"radius", r, unit.si(), Range::NotNegative).is_none() {
                 continue;
             }
-            let Some(&last) = i.checked_sub(1).and_then(|i| given.get(i)) else { continue };
+            let before = i.checked_sub(1).and_then(|i| given.get(i));
+            let Some(&last) = before.filter(|r| r.is_finite()) else { continue };
             let twice_before = i >= 2 && given[i - 2] == last;
             let near = radius.is_some_and(|radius| r - last < NEAR * radius.given);
             let rule = if r < last {
@@ -146,7 +147,7 @@ impl Checker {
             };
             self.refuse(FaultCode::Radii, &format!("{path}[{i}]"), Some(shortest(r)), "radius", &rule);
         }
-        let sound = self.faults.len() == before;
+        let sound = self.faults.len() == known;
         Stations { path, given, si: sound.then(|| given.iter().map(|r| r * unit.si()).collect()) }
     }
 
@@ -229,7 +230,7 @@ impl Checker {
         if values.len() != stations.given.len() {
             let rule = format!("must have {} values, as many as {}", stations.given.len(), stations.path);
             let count = format!("{}", values.len());
-            self.refuse(FaultCode::Length, path, Some(count), quantity.subject, &rule);
+            self.refuse_as("has", FaultCode::Length, path, Some(count), quantity.subject, &rule);
             return None;
         }
         if si.len() != values.len() {
@@ -252,13 +253,8 @@ impl Checker {
         let unit = self.units.length;
         let rule = format!("must be given from r = {} to {} {unit}", shortest(from.given), shortest(radius.given));
         let reach = format!("{} to {} {unit}", shortest(first.given), shortest(last.given));
-        self.refuse(
-            FaultCode::Uncovered,
-            &format!("distribution.{}", quantity.key),
-            Some(reach),
-            quantity.subject,
-            &rule,
-        );
+        let path = format!("distribution.{}", quantity.key);
+        self.refuse_as("is given from", FaultCode::Uncovered, &path, Some(reach), quantity.subject, &rule);
     }
 
     /// Mass or inertia must be greater than 0 somewhere outboard of each root that moves it.

@@ -1,0 +1,185 @@
+//! What is written reads back the same; no text makes the readers panic.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop")]
+
+use bladefan_core::blade::{
+    BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Source,
+};
+use bladefan_core::dof::Dof;
+use bladefan_core::file::{Format, measured, read, to_json, to_toml};
+use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit, Units};
+use bladefan_tests::faults::{BASE_JSON, BASE_TOML};
+use proptest::collection::vec;
+use proptest::option;
+use proptest::prelude::*;
+use proptest::sample::select;
+
+/// Positive numbers of any size that keeps its sense in every unit.
+fn positive() -> impl Strategy<Value = f64> {
+    (-40..40_i32, 1.0..10.0_f64).prop_map(|(exponent, m)| m * 10_f64.powi(exponent))
+}
+
+fn units() -> impl Strategy<Value = Units> {
+    (
+        select(LengthUnit::ALL),
+        select(MassUnit::ALL),
+        select(ForceUnit::ALL),
+        select(AngleUnit::ALL),
+        select(SpeedUnit::ALL),
+    )
+        .prop_map(|(length, mass, force, angle, speed)| Units { length, mass, force, angle, speed })
+}
+
+fn root(dof: Dof, radius: f64) -> impl Strategy<Value = RootDefinition> {
+    (select(RootKind::choices(dof)), 0.0..0.5_f64, 0..3_u8, 0.0..1e4_f64).prop_map(move |(kind, ratio, how, spring)| {
+        RootDefinition {
+            root: Some(kind),
+            offset: (how == 1).then_some(ratio * radius),
+            offset_ratio: (how == 2).then_some(ratio),
+            spring: kind.takes_spring().then_some(spring),
+        }
+    })
+}
+
+/// Radii from the centre to the tip as fractions that make steps now and then, and values.
+fn table(radius: f64, value: impl Strategy<Value = f64>) -> impl Strategy<Value = (Vec<f64>, Vec<f64>)> {
+    vec((0.001..1.0_f64, any::<bool>(), value), 2..12).prop_map(move |steps| {
+        let total: f64 = steps.iter().map(|step| step.0).sum();
+        let (mut r, mut values, mut at) = (Vec::new(), Vec::new(), 0.0);
+        for (i, (length, twice, value)) in steps.iter().enumerate() {
+            let here = if i == 0 { 0.0 } else { at };
+            r.push(here * radius);
+            values.push(*value);
+            if *twice {
+                r.push(here * radius);
+                values.push(value * 0.5);
+            }
+            at = here + length / total;
+        }
+        r.push(radius);
+        values.push(*values.last().unwrap());
+        (r, values)
+    })
+}
+
+fn property(radius: f64, stations: usize) -> impl Strategy<Value = PropertyDefinition> {
+    prop_oneof![
+        positive().prop_map(PropertyDefinition::Uniform),
+        vec(positive(), stations).prop_map(PropertyDefinition::OnStations),
+        table(radius, positive()).prop_map(|(r, values)| PropertyDefinition::OwnRadii { r, values }),
+    ]
+}
+
+fn distribution(radius: f64) -> impl Strategy<Value = DistributionDefinition> {
+    table(radius, Just(1.0)).prop_flat_map(move |(r, _)| {
+        let property = || property(radius, r.len());
+        (
+            (property(), property(), property(), property(), property()),
+            option::of(property()),
+            option::of(property()),
+            Just(r.clone()),
+        )
+            .prop_map(|((mass, flap, lag, torsion, inertia), mass_offset, twist, r)| DistributionDefinition {
+                r: Some(r),
+                mass: Some(mass),
+                flap_stiffness: Some(flap),
+                lag_stiffness: Some(lag),
+                torsion_stiffness: Some(torsion),
+                polar_inertia: Some(inertia),
+                mass_offset,
+                twist,
+            })
+    })
+}
+
+fn definition() -> impl Strategy<Value = BladeDefinition> {
+    positive().prop_flat_map(|radius| {
+        (
+            (any::<String>(), option::of(any::<String>()), option::of(any::<String>()), any::<bool>()),
+            units(),
+            (positive(), option::of(1..9_u8)),
+            (root(Dof::Flap, radius), root(Dof::Lag, radius), root(Dof::Torsion, radius)),
+            distribution(radius),
+        )
+            .prop_map(
+                move |((name, notes, citation, source), units, (speed, blades), (flap, lag, torsion), distribution)| {
+                    BladeDefinition {
+                        name: Some(name),
+                        notes,
+                        source: source.then_some(Source { citation, quality: Some("example".into()) }),
+                        units,
+                        rotor: Some(RotorDefinition {
+                            radius: Some(radius),
+                            nominal_speed: Some(speed),
+                            blades: blades.map(f64::from),
+                        }),
+                        flap: Some(flap),
+                        lag: Some(lag),
+                        torsion: Some(torsion),
+                        distribution: Some(distribution),
+                    }
+                },
+            )
+    })
+}
+
+/// A sound file with some of its characters replaced, so that the reader gets past the first line.
+fn spoilt(base: &'static str) -> impl Strategy<Value = String> {
+    let characters = select("[]{}=,.\"'#\\\n\t -+eE0159ainfx:_\0é".chars().collect::<Vec<_>>());
+    vec((0..base.len(), characters, any::<bool>()), 1..12).prop_map(|changes| {
+        let mut text: Vec<char> = base.chars().collect();
+        for (at, c, insert) in changes {
+            let at = at % text.len();
+            if insert {
+                text.insert(at, c);
+            } else {
+                text[at] = c;
+            }
+        }
+        text.into_iter().collect()
+    })
+}
+
+fn reads_or_has_faults(text: &str) {
+    for format in [Format::Toml, Format::Json] {
+        if let Err(faults) = read(text, format) {
+            assert!(!faults.is_empty());
+            let places: Vec<_> = faults.iter().map(|fault| (fault.line.unwrap(), fault.column.unwrap())).collect();
+            assert!(places.is_sorted(), "{places:?}");
+            let lines = text.split('\n').count();
+            assert!(places.iter().all(|&(line, _)| line as usize <= lines), "{places:?} in {lines} lines");
+        }
+    }
+    if let Err(faults) = measured::read(text) {
+        assert!(!faults.is_empty() && faults.iter().all(|fault| fault.line.is_some()));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 256, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn definitions_read_back_the_same(definition in definition()) {
+        for (text, format) in [(to_toml(&definition), Format::Toml), (to_json(&definition), Format::Json)] {
+            match read(&text, format) {
+                Ok(file) => prop_assert_eq!(&file.definition, &definition),
+                Err(faults) => prop_assert!(false, "{faults:#?}\n{text}"),
+            }
+        }
+    }
+
+    #[test]
+    fn random_text_never_panics(bytes in vec(any::<u8>(), 0..300)) {
+        reads_or_has_faults(&String::from_utf8_lossy(&bytes));
+    }
+
+    #[test]
+    fn spoilt_toml_never_panics(text in spoilt(BASE_TOML)) {
+        reads_or_has_faults(&text);
+    }
+
+    #[test]
+    fn spoilt_json_never_panics(text in spoilt(BASE_JSON)) {
+        reads_or_has_faults(&text);
+    }
+}
