@@ -1,0 +1,61 @@
+//! How much of a fan chart to show.
+
+use crate::analysis::{Branch, FanChart, MeasuredPoint};
+use alloc::vec::Vec;
+
+/// Rays up to at least this harmonic count as of interest.
+const LEAST_HARMONICS: u32 = 8;
+/// The frequency axis goes no further than this many times the highest ray, so that high
+/// branches do not press the low ones flat.
+const ABOVE_REACH: f64 = 1.5;
+/// As many of the lowest branches are shown wherever they are.
+const LEAST_BRANCHES: usize = 3;
+
+/// Ranges of both axes [rad/s].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Range {
+    pub from_speed: f64,
+    pub to_speed: f64,
+    pub top: f64,
+}
+
+impl Range {
+    /// All speeds of the chart; frequencies from 0 to the highest of what the rays can meet.
+    pub(super) fn of(chart: &FanChart, measured: &[MeasuredPoint]) -> Self {
+        let speeds = chart.speeds_rad_s.iter().copied().filter(|speed| speed.is_finite());
+        let from_speed = speeds.clone().reduce(f64::min).unwrap_or(0.0);
+        let to_speed = speeds.reduce(f64::max).filter(|&to| to > from_speed);
+        let to_speed = to_speed.unwrap_or(from_speed + chart.nominal.speed_rad_s.abs().max(1e-9));
+        let reach = f64::from(chart.harmonics.max(LEAST_HARMONICS)) * to_speed;
+
+        let mut spans: Vec<(f64, f64)> = chart.branches.iter().filter_map(span).collect();
+        spans.sort_by(|a, b| a.1.total_cmp(&b.1));
+        let shown = spans.iter().filter(|span| span.0 <= reach).map(|span| span.1.min(ABOVE_REACH * reach));
+        let lowest = spans.iter().take(LEAST_BRANCHES).map(|span| span.1);
+        let points = measured.iter().filter(|point| {
+            (from_speed..=to_speed).contains(&point.speed_rad_s) && point.frequency_rad_s <= ABOVE_REACH * reach
+        });
+        let points = points.map(|point| point.frequency_rad_s);
+        let mut top = shown.chain(lowest).chain(points).fold(0.0, f64::max);
+        // The first of each degree of freedom too, where that is not far.
+        for dof in crate::dof::Dof::ALL {
+            let first = chart.branches.iter().filter(|branch| branch.dof == dof).filter_map(span).map(|span| span.1);
+            let first = first.reduce(f64::min).unwrap_or(0.0);
+            if first <= 2.0 * top {
+                top = top.max(first);
+            }
+        }
+        let top = if top > 0.0 { top } else { reach };
+        // Air above the highest curve.
+        Self { from_speed, to_speed, top: 1.04 * top }
+    }
+}
+
+/// Lowest and highest frequency of a branch.
+fn span(branch: &Branch) -> Option<(f64, f64)> {
+    let values = branch.frequency_rad_s.iter().copied().filter(|value| value.is_finite());
+    values.fold(None, |span, value| {
+        let (low, high) = span.unwrap_or((value, value));
+        Some((f64::min(low, value), f64::max(high, value)))
+    })
+}

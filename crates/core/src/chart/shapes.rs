@@ -1,0 +1,192 @@
+//! Mode shapes: one panel per degree of freedom.
+
+use super::fan::draw_haloed;
+use super::key::{Entry, Foot, Head, Sign, basis_text, draw_background};
+use super::line::{Area, thin};
+use super::palette::Style;
+use super::panel::{self, Panel};
+use super::place::Obstacles;
+use super::scale::Scale;
+use super::sheet::{Anchor, Face, Point, Sheet};
+use super::{ChartOptions, Drawing, text};
+use crate::analysis::{ShapeReport, ShapesReport};
+use crate::dof::Dof;
+use alloc::format;
+use alloc::vec::Vec;
+use plotters::style::RGBColor;
+
+/// Panels stand side by side where each gets this many pixels of its row, else one below the other.
+const LEAST_SHARE: f64 = 280.0;
+
+/// Draws mode shapes over the span r/R.
+pub fn shapes(report: &ShapesReport, options: &ChartOptions) -> Drawing {
+    let style = Style::of(options.theme, options.width);
+    let name = text::clean(&report.blade);
+    let dofs: Vec<Dof> =
+        Dof::ALL.into_iter().filter(|dof| report.shapes.iter().any(|shape| shape.dof == *dof)).collect();
+    let speed = format!(
+        "at {} {}",
+        text::significant(report.speed_rad_s / options.speed_unit.si(), 4),
+        options.speed_unit.name()
+    );
+    let scales: Vec<Scale> = dofs.iter().map(|&dof| y_scale(report, dof)).collect();
+
+    // Each panel has the same room to its left, so that the frames are of one size.
+    let ticks = scales.iter().map(|scale| panel::tick_room(&style, &scale.ticks(5.0))).fold(0.0, f64::max);
+    let beside = 0.7 * style.margin() + panel::name_beside(&style) + ticks;
+    let count = dofs.len().max(1) as f64;
+    let columns = if style.width / count >= LEAST_SHARE * style.unit.min(1.0) { dofs.len().max(1) } else { 1 };
+    let share = (style.width - style.margin()) / columns as f64;
+    let (width, ratio) = (share - beside - 0.3 * style.margin(), if columns == 1 { 0.42 } else { 0.85 });
+    let caption = 1.7 * style.label();
+    let below = panel::ticks_below(&style) + panel::name_below(&style);
+    let row_height = caption + ratio * width + below + 0.5 * style.margin();
+
+    let head = Head::new(&style, &name, alloc::vec![Entry::new(Sign::Node, "node")], beside);
+    let top = head.height(&style);
+    let panels: Vec<Panel> = scales
+        .into_iter()
+        .enumerate()
+        .map(|(number, y)| {
+            let left = (number % columns) as f64 * share + beside;
+            let top = top + (number / columns) as f64 * row_height + caption;
+            let area = Area { left, top, right: left + width, bottom: top + ratio * width };
+            Panel::new(&style, area, Scale::linear(0.0, 1.0, ""), y)
+        })
+        .collect();
+    let notes = alloc::vec![speed.clone(), basis_text(&report.basis)];
+    let foot = Foot::new(&style, notes, &[], beside);
+    let foot_top = top + dofs.len().div_ceil(columns) as f64 * row_height;
+    let mut sheet = Sheet::new(style.width, libm::ceil(foot_top + foot.height(&style)));
+
+    draw_background(&mut sheet, &style);
+    head.draw(&mut sheet, &style, beside);
+    for (&dof, panel) in dofs.iter().zip(&panels) {
+        draw_panel(&mut sheet, &style, report, dof, panel);
+    }
+    foot.draw(&mut sheet, &style, beside, foot_top);
+    let plots = dofs.iter().zip(&panels).map(|(dof, panel)| panel.describe(dof.name())).collect();
+    let (width, height) = (sheet.width, sheet.height);
+    let about = format!("{} mode shapes over the span, {speed}.", report.shapes.len());
+    Drawing { svg: sheet.finish(&format!("{name}: mode shapes"), &about), width, height, plots }
+}
+
+/// Room for the largest displacement of the degree of freedom, to both sides of zero.
+fn y_scale(report: &ShapesReport, dof: Dof) -> Scale {
+    let shapes = report.shapes.iter().filter(|shape| shape.dof == dof);
+    let values = shapes.flat_map(|shape| &shape.displacement).map(|value| value.abs()).filter(|value| value.is_finite());
+    let largest = values.fold(0.0, f64::max);
+    let largest = if largest > 0.0 { 1.2 * largest } else { 1.0 };
+    Scale::linear(-largest, largest, "")
+}
+
+fn draw_panel(sheet: &mut Sheet, style: &Style, report: &ShapesReport, dof: Dof, panel: &Panel) {
+    let Area { left, top, right, .. } = panel.area;
+    let colour = style.palette.dof(dof);
+    let caption = Face::new(style.label(), colour, Anchor::Start).bold();
+    sheet.layer(&[("class", "caption")], |pen| pen.text((left, top - 0.5 * style.label()), dof.name(), &caption));
+    panel.draw_grid(sheet, style);
+    let zero = panel.y.at(0.0).map(|y| [(left, y), (right, y)]);
+    sheet.layer(&[("class", "zero")], |pen| {
+        if let Some(zero) = &zero {
+            pen.line(zero, style.palette.frame, 1.0);
+        }
+    });
+    panel.draw_axes(sheet, style, "span r/R", if dof == Dof::Torsion { "twist" } else { "displacement" });
+
+    let shapes: Vec<&ShapeReport> = report.shapes.iter().filter(|shape| shape.dof == dof).collect();
+    let lines: Vec<Vec<Point>> = shapes.iter().map(|shape| line(report, shape, panel)).collect();
+    let mut obstacles = Obstacles { frame: panel.area, boxes: Vec::new(), lines: Vec::new() };
+    obstacles.lines.extend(lines.iter().map(|line| (thin(line), 2.0)));
+    obstacles.lines.extend(zero.map(|zero| (zero.to_vec(), 1.0)));
+    let tones: Vec<RGBColor> = (0..shapes.len())
+        .map(|number| {
+            // The first mode in the full colour, the last still well off the background.
+            let share = 1.0 - 0.5 * number as f64 / (shapes.len().max(2) - 1) as f64;
+            style.palette.tone(colour, share)
+        })
+        .collect();
+    // The first mode last, on top.
+    for number in (0..shapes.len()).rev() {
+        let (class, label) = (format!("shape {dof}"), text::clean(&shapes[number].label));
+        sheet.layer(&[("class", &class), ("data-label", &label)], |pen| {
+            pen.line(&thin(&lines[number]), tones[number], 1.8 * style.unit);
+            for node in nodes(&lines[number], panel) {
+                pen.disc(node, 3.8 * style.unit, style.palette.background);
+                pen.disc(node, 2.7 * style.unit, tones[number]);
+            }
+        });
+    }
+    for line in &lines {
+        let half = 3.0 * style.unit;
+        let dots = nodes(line, panel).into_iter();
+        obstacles.boxes.extend(dots.map(|(x, y)| Area {
+            left: x - half,
+            top: y - half,
+            right: x + half,
+            bottom: y + half,
+        }));
+    }
+    let face = Face::new(style.tick(), colour, Anchor::Middle).bold();
+    for (shape, line) in shapes.iter().zip(&lines) {
+        let label = text::clean(&shape.label);
+        let size = (text::width(&label, face.size, true) + 4.0 * style.unit, 1.1 * face.size);
+        let Some(area) = obstacles.choose(label_areas(line, panel, size, 3.0 * style.unit).into_iter()) else { continue };
+        let at = (0.5 * (area.left + area.right), 0.5 * (area.top + area.bottom) + face.drop());
+        draw_haloed(sheet, style, ("shape-label", &label), at, &label, &face);
+    }
+}
+
+/// The shape's points on the drawing; those that are not numbers are left out.
+fn line(report: &ShapesReport, shape: &ShapeReport, panel: &Panel) -> Vec<Point> {
+    let radii = report.r_m.iter().map(|r| r / report.radius_m);
+    radii.zip(&shape.displacement).filter_map(|(span, &value)| panel.point(span, value)).collect()
+}
+
+/// Where the line changes sides, between its root and its tip.
+fn nodes(line: &[Point], panel: &Panel) -> Vec<Point> {
+    let Some(zero) = panel.y.at(0.0) else { return Vec::new() };
+    let mut nodes = Vec::new();
+    let mut last: Option<Point> = None;
+    for &(x, y) in line.iter().filter(|point| (point.1 - zero).abs() > 1e-6) {
+        if let Some((before, height)) = last
+            && (height - zero) * (y - zero) < 0.0
+        {
+            let share = (height - zero) / (height - y);
+            nodes.push((before + share * (x - before), zero));
+        }
+        last = Some((x, y));
+    }
+    nodes
+}
+
+/// Places for a shape's label, the best first: beyond its antinodes from the root outwards, where
+/// no two modes are alike (at the tip all are), then beside its line.
+fn label_areas(line: &[Point], panel: &Panel, (width, height): (f64, f64), gap: f64) -> Vec<Area> {
+    let Some(zero) = panel.y.at(0.0) else { return Vec::new() };
+    let centred = |x: f64, y: f64| Area {
+        left: x - 0.5 * width,
+        top: y - 0.5 * height,
+        right: x + 0.5 * width,
+        bottom: y + 0.5 * height,
+    };
+    let beyond = |(x, y): Point| {
+        let away = if y < zero { -1.0 } else { 1.0 };
+        centred(x, y + away * (gap + 0.5 * height))
+    };
+    let is_antinode = |trio: &&[Point]| {
+        let (a, b, c) = ((trio[0].1 - zero).abs(), (trio[1].1 - zero).abs(), (trio[2].1 - zero).abs());
+        b >= a && b > c && b > 0.05 * (panel.area.bottom - panel.area.top)
+    };
+    let mut areas: Vec<Area> = line.windows(3).filter(is_antinode).map(|trio| beyond(trio[1])).collect();
+    for eighth in [5, 4, 6, 3, 7] {
+        let Some(&(x, y)) = line.get(line.len() * eighth / 8) else { continue };
+        for side in [-1.0, 1.0] {
+            for aside in [0.0, -1.0, 1.0] {
+                areas.push(centred(x + aside * (0.5 * width + gap), y + side * (gap + 0.5 * height)));
+            }
+        }
+    }
+    areas
+}
+
