@@ -4,11 +4,12 @@ use super::key::{Entry, Foot, Head, draw_background};
 use super::line::{Area, clip};
 use super::palette::{Style, dashes};
 use super::panel::{self, EndLabel, Panel};
-use super::scale::{Scale, ceil, floor, log10};
+use super::scale::Scale;
 use super::sheet::{Anchor, Face, Point, Sheet, dash_array};
 use super::{ChartOptions, Drawing, FrequencyUnit, text};
 use crate::analysis::{ConvergeReport, ConvergeSeries};
 use crate::dof::Dof;
+use crate::numerics::scalar::{ceil, floor, log10, round};
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -46,13 +47,13 @@ pub fn converge(report: &ConvergeReport, options: &ChartOptions) -> Drawing {
     let room = room.max(panel::tick_room(&style, &errors.ticks(count(0.25))));
     let left = 0.7 * style.margin() + panel::name_beside(&style) + room;
     let longest = report.series.iter().map(|series| text::width(&text::clean(&series.label), style.tick(), true));
-    let right = style.width - 0.6 * style.margin() - 16.0 * style.unit - longest.fold(0.0, f64::max);
+    let right = style.width - 0.6 * style.margin() - panel::leader_length(&style) - longest.fold(0.0, f64::max);
     let entries = Dof::ALL.into_iter().filter(|dof| report.series.iter().any(|series| series.dof == *dof));
     let head = Head::new(&style, &name, entries.map(Entry::dof).collect(), left);
     let top = head.height(&style) + 2.0 * style.small();
     let width = right - left;
     let upper = Area { left, top, right, bottom: top + 0.36 * width };
-    let middle = upper.bottom + 1.3 * style.label();
+    let middle = upper.bottom + 1.5 * style.label();
     let lower = Area { left, top: middle, right, bottom: middle + 0.3 * width };
     let panels = [
         Panel::new(&style, upper, function_scale(report), frequencies),
@@ -139,7 +140,7 @@ fn error_scale(traces: &[Trace]) -> Scale {
 
 /// Without ticks between whole numbers of functions.
 fn whole_ticks(mut panel: Panel) -> Panel {
-    panel.x_ticks.retain(|tick| (tick.value - floor(tick.value + 0.5)).abs() < 1e-9);
+    panel.x_ticks.retain(|tick| (tick.value - round(tick.value)).abs() < 1e-9);
     for tick in &mut panel.x_ticks {
         tick.text = format!("{:.0}", tick.value);
     }
@@ -172,12 +173,13 @@ fn draw_traces<'t, 'a: 't>(
                 pen.line(&part, colour, 1.5 * style.unit);
             }
             for &point in points.iter().filter(|point| panel.area.holds_point(**point)) {
-                pen.disc(point, 2.2 * style.unit, colour);
+                pen.disc(point, 1.9 * style.unit, colour);
             }
         });
-        if let Some(&(_, target)) = points.last() {
+        if let Some(&(from, target)) = points.last() {
             ends.push(EndLabel {
                 text: label,
+                from,
                 target,
                 colour,
                 bold: true,

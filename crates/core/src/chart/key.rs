@@ -226,7 +226,9 @@ pub(super) fn basis_text(basis: &BasisReport) -> String {
         Dof::ALL.into_iter().zip(counts).filter_map(|(dof, count)| Some((dof, count?))).collect();
     match known.as_slice() {
         [] => format!("{family} functions"),
-        [(_, first), rest @ ..] if rest.iter().all(|(_, count)| count == first) => format!("{first} {family} functions"),
+        [(_, first), rest @ ..] if rest.iter().all(|(_, count)| count == first) => {
+            format!("{first} {family} functions")
+        }
         _ => {
             let each: Vec<String> = known.iter().map(|(dof, count)| format!("{count} {dof}")).collect();
             format!("{family} functions: {}", each.join(", "))

@@ -114,12 +114,8 @@ pub(super) fn clip(points: &[Point], area: &Area) -> Vec<Vec<Point>> {
 fn clip_segment(from: Point, to: Point, area: &Area) -> Option<(Point, Point)> {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let (mut enter, mut leave) = (0.0, 1.0);
-    let edges = [
-        (-dx, from.0 - area.left),
-        (dx, area.right - from.0),
-        (-dy, from.1 - area.top),
-        (dy, area.bottom - from.1),
-    ];
+    let edges =
+        [(-dx, from.0 - area.left), (dx, area.right - from.0), (-dy, from.1 - area.top), (dy, area.bottom - from.1)];
     for (towards, room) in edges {
         if towards == 0.0 {
             if room < 0.0 {

@@ -7,6 +7,12 @@
 //! the page for it), labels are placed with a width table, ticks are decimal text, and no
 //! function of the platform's mathematics library is called.
 
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "pixels: casts from floating point saturate, and a drawing is at most 8000 wide"
+)]
+
 mod converge;
 mod fan;
 mod key;

@@ -141,7 +141,9 @@ fn draw_tick(pen: &Pen, style: &Style, tick: &Tick, (x, y): Point, from_left: bo
 #[derive(Clone, Debug)]
 pub(super) struct EndLabel {
     pub text: String,
-    /// y [px] of what it names.
+    /// x [px] of the end of what it names, at most the frame's right edge.
+    pub from: f64,
+    /// y [px] there.
     pub target: f64,
     pub colour: RGBColor,
     pub bold: bool,
@@ -159,13 +161,8 @@ impl EndLabel {
     }
 }
 
-/// Room [px] to the right of a frame for these labels and their leaders.
-pub(super) fn end_room(style: &Style, labels: &[EndLabel]) -> f64 {
-    let widest = labels.iter().map(|label| text::width(&label.text, label.size(style), label.bold));
-    leader_length(style) + widest.fold(0.0, f64::max)
-}
-
-fn leader_length(style: &Style) -> f64 {
+/// Room [px] to the right of a frame for the leaders of its end labels.
+pub(super) fn leader_length(style: &Style) -> f64 {
     16.0 * style.unit
 }
 
@@ -176,7 +173,7 @@ pub(super) fn draw_end_labels(sheet: &mut Sheet, style: &Style, area: &Area, lab
         .iter()
         .map(|label| Wish {
             target: label.target,
-            size: 1.1 * label.size(style),
+            size: 1.15 * label.size(style),
             limit: label.limit,
             rank: label.rank,
         })
@@ -191,7 +188,7 @@ pub(super) fn draw_end_labels(sheet: &mut Sheet, style: &Style, area: &Area, lab
             let face = if label.bold { face.bold() } else { face };
             if (y - label.target).abs() > 1.0 {
                 let bend = [
-                    (area.right + 1.0, label.target),
+                    (label.from + 1.0, label.target),
                     (area.right + 0.25 * reach, label.target),
                     (area.right + 0.75 * reach, y),
                     (area.right + 0.9 * reach, y),

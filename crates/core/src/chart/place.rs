@@ -23,34 +23,24 @@ impl Obstacles {
     /// The best box of `size` at one of `distances` from `point`, now an obstacle itself; none
     /// where all of them cover another label or leave the frame.
     pub(super) fn place(&mut self, point: Point, size: (f64, f64), distances: &[f64]) -> Option<Area> {
-        let mut best: Option<(f64, Area)> = None;
-        for (far, distance) in distances.iter().enumerate() {
-            for (late, &(right, down)) in DIRECTIONS.iter().enumerate() {
-                let area = beside(point, size, *distance, right, down);
-                if !self.frame.holds(&area) || self.boxes.iter().any(|other| other.overlaps(&area)) {
-                    continue;
-                }
-                let covered: f64 = self.lines.iter().map(|(line, weight)| weight * area.crossed_by(line) as f64).sum();
-                let cost = covered + 0.6 * far as f64 + 0.05 * late as f64;
-                if best.is_none_or(|(least, _)| cost < least) {
-                    best = Some((cost, area));
-                }
-            }
-        }
-        let (_, area) = best?;
-        self.boxes.push(area);
-        Some(area)
+        let candidates = distances.iter().enumerate().flat_map(|(far, &distance)| {
+            DIRECTIONS.iter().enumerate().map(move |(late, &(right, down))| {
+                (beside(point, size, distance, right, down), 0.6 * far as f64 + 0.05 * late as f64)
+            })
+        });
+        self.choose(candidates)
     }
 
-    /// The first of `areas` (the best first) that covers no other box; now an obstacle itself.
-    pub(super) fn choose(&mut self, areas: impl Iterator<Item = Area>) -> Option<Area> {
+    /// Of areas with costs of their own the one that covers least besides, now an obstacle itself;
+    /// none where all of them cover another label or leave the frame.
+    pub(super) fn choose(&mut self, candidates: impl Iterator<Item = (Area, f64)>) -> Option<Area> {
         let mut best: Option<(f64, Area)> = None;
-        for (late, area) in areas.enumerate() {
+        for (area, own) in candidates {
             if !self.frame.holds(&area) || self.boxes.iter().any(|other| other.overlaps(&area)) {
                 continue;
             }
             let covered: f64 = self.lines.iter().map(|(line, weight)| weight * area.crossed_by(line) as f64).sum();
-            let cost = covered + 0.3 * late as f64;
+            let cost = covered + own;
             if best.is_none_or(|(least, _)| cost < least) {
                 best = Some((cost, area));
             }

@@ -2,6 +2,7 @@
 
 use super::Axis;
 use super::text::scientific;
+use crate::numerics::scalar::{ceil, floor, log10};
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -139,18 +140,6 @@ fn decade_ticks(from: f64, to: f64, count: f64) -> Vec<Tick> {
         .collect()
 }
 
-pub(super) fn log10(value: f64) -> f64 {
-    libm::log10(value)
-}
-
-pub(super) fn floor(value: f64) -> f64 {
-    libm::floor(value)
-}
-
-pub(super) fn ceil(value: f64) -> f64 {
-    libm::ceil(value)
-}
-
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "a test says what it expects")]
 mod tests {
@@ -163,7 +152,10 @@ mod tests {
 
     #[test]
     fn linear_ticks_are_round_and_inside() {
-        assert_eq!(texts(&Scale::linear(0.0, 792.0, "rpm"), 8.0), ["0", "100", "200", "300", "400", "500", "600", "700"]);
+        assert_eq!(
+            texts(&Scale::linear(0.0, 792.0, "rpm"), 8.0),
+            ["0", "100", "200", "300", "400", "500", "600", "700"]
+        );
         assert_eq!(texts(&Scale::linear(0.0, 1.0, ""), 4.0), ["0", "0.25", "0.50", "0.75", "1.00"]);
         assert_eq!(texts(&Scale::linear(-1.0, 1.0, ""), 4.0), ["−1.0", "−0.5", "0", "0.5", "1.0"]);
         assert_eq!(texts(&Scale::linear(0.0, 4e7, ""), 4.0), ["0", "1×10^7", "2×10^7", "3×10^7", "4×10^7"]);
@@ -174,13 +166,17 @@ mod tests {
 
     #[test]
     fn log_ticks_stand_on_decades() {
-        assert_eq!(texts(&Scale::log(1e-12, 1.0, ""), 7.0), ["10^−12", "10^−10", "10^−8", "10^−6", "10^−4", "10^−2", "10^0"]);
+        assert_eq!(
+            texts(&Scale::log(1e-12, 1.0, ""), 7.0),
+            ["10^−12", "10^−10", "10^−8", "10^−6", "10^−4", "10^−2", "10^0"]
+        );
         assert_eq!(texts(&Scale::log(10.0, 1000.0, ""), 8.0), ["10", "20", "50", "100", "200", "500", "1000"]);
     }
 
     #[test]
     fn strange_ranges_still_give_an_axis() {
-        for (from, to) in [(0.0, 0.0), (f64::NAN, f64::INFINITY), (5.0, 5.0), (1e300, 1e300), (3.0, 2.0), (0.0, 5e-324)] {
+        for (from, to) in [(0.0, 0.0), (f64::NAN, f64::INFINITY), (5.0, 5.0), (1e300, 1e300), (3.0, 2.0), (0.0, 5e-324)]
+        {
             let scale = Scale::linear(from, to, "").on(0.0, 100.0);
             assert!(scale.axis.from < scale.axis.to, "{from} {to}");
             assert!(scale.at(scale.axis.to).unwrap() > 99.0, "{from} {to}");

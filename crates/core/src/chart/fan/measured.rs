@@ -24,7 +24,7 @@ pub(super) struct Measured {
 
 impl Measured {
     /// Sorts the points out by source.
-    pub(super) fn of(points: &[MeasuredPoint], chart: &FanChart, panel: &Panel, units: &Units, style: &Style) -> Self {
+    pub(super) fn of(points: &[MeasuredPoint], chart: &FanChart, panel: &Panel, units: Units, style: &Style) -> Self {
         let mut measured = Self { sources: sources(points), ..Self::default() };
         for point in points {
             let at = panel.point(units.speed(point.speed_rad_s), units.frequency(point.frequency_rad_s));

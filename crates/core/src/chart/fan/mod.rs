@@ -18,6 +18,7 @@ use super::sheet::{Anchor, Face, Point, Sheet, dash_array};
 use super::{ChartOptions, Drawing, FrequencyUnit, text};
 use crate::analysis::{Branch, FanChart};
 use crate::dof::Dof;
+use crate::numerics::scalar::ceil;
 use crate::units::SpeedUnit;
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -33,15 +34,15 @@ struct Units {
 }
 
 impl Units {
-    fn speed(&self, speed: f64) -> f64 {
+    fn speed(self, speed: f64) -> f64 {
         speed / self.speed.si()
     }
 
-    fn speed_si(&self, speed: f64) -> f64 {
+    fn speed_si(self, speed: f64) -> f64 {
         speed * self.speed.si()
     }
 
-    fn frequency(&self, frequency: f64) -> f64 {
+    fn frequency(self, frequency: f64) -> f64 {
         self.frequency.of(frequency)
     }
 }
@@ -68,25 +69,25 @@ pub fn fan(chart: &FanChart, options: &ChartOptions) -> Drawing {
     let left = 0.7 * style.margin() + panel::name_beside(&style) + panel::tick_room(&style, &ticks);
     let longest = chart.branches.iter().map(|branch| text::width(&text::clean(&branch.label), style.tick(), true));
     let rays_room = text::width("100P", style.small(), false);
-    let right = style.width - 0.6 * style.margin() - 16.0 * style.unit - longest.fold(rays_room, f64::max);
+    let right = style.width - 0.6 * style.margin() - panel::leader_length(&style) - longest.fold(rays_room, f64::max);
     let head = Head::new(&style, &name, entries(chart, options, count), left);
     let top = head.height(&style) + 0.6 * style.label() + 2.6 * style.small();
     let area = Area { left, top, right, bottom: top + 0.625 * (right - left) };
     let panel = Panel::new(&style, area, x, y);
 
-    let curves: Vec<Curve> = chart.branches.iter().map(|branch| lay_out(branch, chart, &panel, &units)).collect();
-    let measured = Measured::of(options.measured, chart, &panel, &units, &style);
+    let curves: Vec<Curve> = chart.branches.iter().map(|branch| lay_out(branch, chart, &panel, units)).collect();
+    let measured = Measured::of(options.measured, chart, &panel, units, &style);
     let foot = Foot::new(&style, alloc::vec![basis_text(&chart.basis)], &remarks(chart, &curves, &measured), left);
     let below = area.bottom + panel::ticks_below(&style) + panel::name_below(&style) + 0.5 * style.small();
-    let mut sheet = Sheet::new(style.width, libm::ceil(below + foot.height(&style)));
+    let mut sheet = Sheet::new(style.width, ceil(below + foot.height(&style)));
 
-    let rays = rays::rays(chart, &panel, &units);
-    let marks = crossings::marks(chart, options.band, &panel, &units);
+    let rays = rays::rays(chart, &panel, units);
+    let marks = crossings::marks(chart, options.band, &panel, units);
     draw_background(&mut sheet, &style);
-    draw_band(&mut sheet, &style, chart, options.band, &panel, &units);
+    draw_band(&mut sheet, &style, chart, options.band, &panel, units);
     panel.draw_grid(&mut sheet, &style);
     rays::draw(&mut sheet, &style, &rays);
-    let nominal = draw_nominal(&mut sheet, &style, chart, &panel, &units);
+    let nominal = draw_nominal(&mut sheet, &style, chart, &panel, units);
     for curve in &curves {
         draw_curve(&mut sheet, &style, curve);
     }
@@ -106,7 +107,7 @@ pub fn fan(chart: &FanChart, options: &ChartOptions) -> Drawing {
     let (mut ends, mut tops) = (rays::end_labels(&style, &area, &rays), Vec::new());
     for curve in &curves {
         match label_of(curve, &style, &area) {
-            Some((at, label)) if at.0 > area.right - 1.0 => ends.push(label.at(at.1)),
+            Some((at, label)) if at.0 > area.right - 1.0 => ends.push(label),
             Some((at, label)) => tops.push((at, label)),
             None => {}
         }
@@ -119,12 +120,6 @@ pub fn fan(chart: &FanChart, options: &ChartOptions) -> Drawing {
     let (width, height) = (sheet.width, sheet.height);
     let svg = sheet.finish(&format!("{name}: fan chart"), &description(chart, options));
     Drawing { svg, width, height, plots: alloc::vec![panel.describe("fan")] }
-}
-
-impl EndLabel {
-    fn at(self, target: f64) -> Self {
-        Self { target, ..self }
-    }
 }
 
 fn crossings_in_band(chart: &FanChart, band: (f64, f64)) -> usize {
@@ -155,7 +150,7 @@ fn entries(chart: &FanChart, options: &ChartOptions, crossings: usize) -> Vec<En
 }
 
 /// The lines of a branch; where a frequency is not a number, there is a gap.
-fn lay_out<'a>(branch: &'a Branch, chart: &FanChart, panel: &Panel, units: &Units) -> Curve<'a> {
+fn lay_out<'a>(branch: &'a Branch, chart: &FanChart, panel: &Panel, units: Units) -> Curve<'a> {
     let mut parts = Vec::new();
     let mut run: Vec<Point> = Vec::new();
     let mut end = |run: &mut Vec<Point>| {
@@ -200,6 +195,7 @@ fn label_of(curve: &Curve, style: &Style, area: &Area) -> Option<(Point, EndLabe
     };
     let label = EndLabel {
         text: text::clean(&curve.branch.label),
+        from: at.0,
         target: at.1,
         colour: style.palette.dof(curve.branch.dof),
         bold: true,
@@ -210,14 +206,7 @@ fn label_of(curve: &Curve, style: &Style, area: &Area) -> Option<(Point, EndLabe
     Some((at, label))
 }
 
-fn draw_band(
-    sheet: &mut Sheet,
-    style: &Style,
-    chart: &FanChart,
-    band: (f64, f64),
-    panel: &Panel,
-    units: &Units,
-) {
+fn draw_band(sheet: &mut Sheet, style: &Style, chart: &FanChart, band: (f64, f64), panel: &Panel, units: Units) {
     let Area { left, top, right, bottom } = panel.area;
     let edge = |ratio: f64| panel.x.at(units.speed(ratio * chart.nominal.speed_rad_s)).map(|x| x.clamp(left, right));
     let (Some(from), Some(to)) = (edge(band.0), edge(band.1)) else { return };
@@ -227,13 +216,7 @@ fn draw_band(
 }
 
 /// Draws the nominal speed and its name above the row of ray labels; returns the line.
-fn draw_nominal(
-    sheet: &mut Sheet,
-    style: &Style,
-    chart: &FanChart,
-    panel: &Panel,
-    units: &Units,
-) -> Option<[Point; 2]> {
+fn draw_nominal(sheet: &mut Sheet, style: &Style, chart: &FanChart, panel: &Panel, units: Units) -> Option<[Point; 2]> {
     let area = &panel.area;
     let speed = units.speed(chart.nominal.speed_rad_s);
     let x = panel.x.at(speed).filter(|x| *x >= area.left && *x <= area.right && speed > 0.0)?;

@@ -40,7 +40,7 @@ impl Ray {
 }
 
 /// The rays 1P … nP that show.
-pub(super) fn rays(chart: &FanChart, panel: &Panel, units: &Units) -> Vec<Ray> {
+pub(super) fn rays(chart: &FanChart, panel: &Panel, units: Units) -> Vec<Ray> {
     let axis = &panel.x.axis;
     (1..=chart.harmonics)
         .filter_map(|harmonic| {
@@ -85,6 +85,7 @@ pub(super) fn end_labels(style: &Style, area: &Area, rays: &[Ray]) -> Vec<EndLab
     leaving
         .map(|ray| EndLabel {
             text: ray.label(),
+            from: area.right,
             target: ray.ends[1].1,
             colour: if ray.blade { style.palette.nominal } else { style.palette.muted },
             bold: false,
