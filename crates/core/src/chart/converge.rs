@@ -42,7 +42,7 @@ pub fn converge(report: &ConvergeReport, options: &ChartOptions) -> Drawing {
 
     let frequencies = frequency_scale(&traces, unit);
     let errors = error_scale(&traces);
-    let count = |share: f64| panel::tick_count(&style, share * style.width, 40.0);
+    let count = |share: f64| panel::tick_count(&style, share * style.width, 28.0);
     let room = panel::tick_room(&style, &frequencies.ticks(count(0.3)));
     let room = room.max(panel::tick_room(&style, &errors.ticks(count(0.25))));
     let left = 0.7 * style.margin() + panel::name_beside(&style) + room;

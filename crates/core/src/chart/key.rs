@@ -62,7 +62,6 @@ pub(super) enum Sign {
     Crossing,
     Band,
     Measured(Marker),
-    Node,
 }
 
 /// A sign and what it means.
@@ -88,7 +87,7 @@ impl Entry {
                 Sign::Branch(_) => 34.0,
                 Sign::BladeRay => 22.0,
                 Sign::Band => 14.0,
-                Sign::Crossing | Sign::Measured(_) | Sign::Node => 11.0,
+                Sign::Crossing | Sign::Measured(_) => 11.0,
             }
     }
 
@@ -169,10 +168,9 @@ fn draw_entry(sheet: &mut Sheet, style: &Style, (x, y): Point, entry: &Entry) {
             let half = 6.0 * style.unit;
             pen.rectangle((x, y - half), (x + length, y + half), palette.band);
             let corners = [(x, y - half), (x + length, y - half), (x + length, y + half), (x, y + half), (x, y - half)];
-            pen.line(&corners, palette.grid, 1.0);
+            pen.line(&corners, palette.ray, 0.6);
         }
         Sign::Measured(marker) => marker.draw(pen, style, middle, palette.nominal),
-        Sign::Node => pen.disc(middle, 3.0 * style.unit, palette.text),
     });
     let face = Face::new(style.tick(), palette.text, Anchor::Start);
     let at = (x + length + 6.0 * style.unit, y + face.drop());

@@ -57,7 +57,7 @@ impl Panel {
         let x = x.on(area.left, area.right);
         let y = y.on(area.bottom, area.top);
         let x_ticks = x.ticks(tick_count(style, area.right - area.left, 75.0));
-        let y_ticks = y.ticks(tick_count(style, area.bottom - area.top, 55.0));
+        let y_ticks = y.ticks(tick_count(style, area.bottom - area.top, if y.axis.log { 28.0 } else { 50.0 }));
         Self { area, x, y, x_ticks, y_ticks }
     }
 

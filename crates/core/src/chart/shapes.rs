@@ -1,7 +1,6 @@
 //! Mode shapes: one panel per degree of freedom.
 
-use super::fan::draw_haloed;
-use super::key::{Entry, Foot, Head, Sign, basis_text, draw_background};
+use super::key::{Foot, Head, basis_text, draw_background};
 use super::line::{Area, thin};
 use super::palette::Style;
 use super::panel::{self, Panel};
@@ -13,6 +12,7 @@ use crate::analysis::{ShapeReport, ShapesReport};
 use crate::dof::Dof;
 use crate::numerics::scalar::ceil;
 use alloc::format;
+use alloc::string::ToString;
 use alloc::vec::Vec;
 use plotters::style::RGBColor;
 
@@ -43,7 +43,7 @@ pub fn shapes(report: &ShapesReport, options: &ChartOptions) -> Drawing {
     let below = panel::ticks_below(&style) + panel::name_below(&style);
     let row_height = caption + ratio * width + below + 0.5 * style.margin();
 
-    let head = Head::new(&style, &name, alloc::vec![Entry::new(Sign::Node, "node")], beside);
+    let head = Head::new(&style, &name, Vec::new(), beside);
     let top = head.height(&style);
     let panels: Vec<Panel> = scales
         .into_iter()
@@ -55,7 +55,7 @@ pub fn shapes(report: &ShapesReport, options: &ChartOptions) -> Drawing {
             Panel::new(&style, area, Scale::linear(0.0, 1.0, ""), y)
         })
         .collect();
-    let notes = alloc::vec![speed.clone(), basis_text(&report.basis)];
+    let notes = alloc::vec![speed.clone(), "dots: nodes".to_string(), basis_text(&report.basis)];
     let foot = Foot::new(&style, notes, &[], beside);
     let foot_top = top + dofs.len().div_ceil(columns) as f64 * row_height;
     let mut sheet = Sheet::new(style.width, ceil(foot_top + foot.height(&style)));
@@ -104,7 +104,7 @@ fn draw_panel(sheet: &mut Sheet, style: &Style, report: &ShapesReport, dof: Dof,
     let tones: Vec<RGBColor> = (0..shapes.len())
         .map(|number| {
             // The first mode in the full colour, the last still well off the background.
-            let share = 1.0 - 0.5 * number as f64 / (shapes.len().max(2) - 1) as f64;
+            let share = 1.0 - 0.42 * number as f64 / (shapes.len().max(2) - 1) as f64;
             style.palette.tone(colour, share)
         })
         .collect();
@@ -129,15 +129,22 @@ fn draw_panel(sheet: &mut Sheet, style: &Style, report: &ShapesReport, dof: Dof,
             bottom: y + half,
         }));
     }
-    let face = Face::new(style.tick(), colour, Anchor::Middle).bold();
-    for (shape, line) in shapes.iter().zip(&lines) {
+    for (number, (shape, line)) in shapes.iter().zip(&lines).enumerate() {
         let label = text::clean(&shape.label);
+        let face = Face::new(style.tick(), tones[number], Anchor::Middle).bold();
         let size = (text::width(&label, face.size, true) + 4.0 * style.unit, 1.1 * face.size);
-        let Some(area) = obstacles.choose(label_areas(line, panel, size, 3.0 * style.unit).into_iter()) else {
-            continue;
-        };
+        // A label may stand on its own line.
+        let own = core::mem::take(&mut obstacles.lines[number].0);
+        let chosen = obstacles.choose(label_areas(line, panel, size, 3.0 * style.unit).into_iter());
+        obstacles.lines[number].0 = own;
+        let Some(area) = chosen else { continue };
         let at = (0.5 * (area.left + area.right), 0.5 * (area.top + area.bottom) + face.drop());
-        draw_haloed(sheet, style, ("shape-label", &label), at, &label, &face);
+        sheet.layer(&[("class", "shape-label"), ("data-label", &label)], |pen| {
+            let inset = 1.0 * style.unit;
+            let corner = (area.right - inset, area.bottom - inset);
+            pen.rectangle((area.left + inset, area.top + inset), corner, style.palette.background);
+            pen.text(at, &label, &face);
+        });
     }
 }
 
@@ -165,7 +172,7 @@ fn nodes(line: &[Point], panel: &Panel) -> Vec<Point> {
 }
 
 /// Places for a shape's label, with costs that rise: beyond its antinodes from the root outwards, where
-/// no two modes are alike (at the tip all are), then beside its line.
+/// no two modes are alike (at the tip all are), then on its line.
 fn label_areas(line: &[Point], panel: &Panel, (width, height): (f64, f64), gap: f64) -> Vec<(Area, f64)> {
     let Some(zero) = panel.y.at(0.0) else { return Vec::new() };
     let centred = |x: f64, y: f64| Area {
@@ -183,13 +190,7 @@ fn label_areas(line: &[Point], panel: &Panel, (width, height): (f64, f64), gap: 
         b >= a && b > c && b > 0.05 * (panel.area.bottom - panel.area.top)
     };
     let mut areas: Vec<Area> = line.windows(3).filter(is_antinode).map(|trio| beyond(trio[1])).collect();
-    for eighth in [5, 4, 6, 3, 7] {
-        let Some(&(x, y)) = line.get(line.len() * eighth / 8) else { continue };
-        for side in [-1.0, 1.0] {
-            for aside in [0.0, -1.0, 1.0] {
-                areas.push(centred(x + aside * (0.5 * width + gap), y + side * (gap + 0.5 * height)));
-            }
-        }
-    }
+    let on_line = [10, 9, 11, 8, 12, 7, 13, 6, 14, 5].map(|share| line.get(line.len() * share / 16));
+    areas.extend(on_line.into_iter().flatten().map(|&(x, y)| centred(x, y)));
     areas.into_iter().enumerate().map(|(late, area)| (area, 0.3 * late as f64)).collect()
 }

@@ -24,17 +24,21 @@ pub(super) struct Mark {
     pub label: String,
 }
 
-/// Crossings inside the band of rotor speeds and inside the frame.
-pub(super) fn marks(chart: &FanChart, band: (f64, f64), panel: &Panel, units: Units) -> Vec<Mark> {
+/// Crossings inside the band of rotor speeds.
+pub(super) fn in_band(chart: &FanChart, band: (f64, f64)) -> impl Iterator<Item = &Crossing> {
     let nominal = chart.nominal.speed_rad_s;
-    let inside =
-        |crossing: &&Crossing| crossing.speed_rad_s >= band.0 * nominal && crossing.speed_rad_s <= band.1 * nominal;
+    let (from, to) = (band.0 * nominal, band.1 * nominal);
+    chart.crossings.iter().filter(move |crossing| crossing.speed_rad_s >= from && crossing.speed_rad_s <= to)
+}
+
+/// The same inside the frame.
+pub(super) fn marks(chart: &FanChart, band: (f64, f64), panel: &Panel, units: Units) -> Vec<Mark> {
     let mark = |crossing: &Crossing| {
         let at = panel.point(units.speed(crossing.speed_rad_s), units.frequency(crossing.frequency_rad_s))?;
         let label = text::clean(&crossing.label);
         panel.area.holds_point(at).then(|| Mark { at, name: format!("{label} × {}P", crossing.harmonic), label })
     };
-    chart.crossings.iter().filter(inside).filter_map(mark).collect()
+    in_band(chart, band).filter_map(mark).collect()
 }
 
 /// Radius of the circles [px].
@@ -72,14 +76,7 @@ pub(super) fn draw(sheet: &mut Sheet, style: &Style, marks: &[Mark], obstacles: 
 }
 
 /// A text with a rim of the background, so that it can be read over lines.
-pub(in crate::chart) fn draw_haloed(
-    sheet: &mut Sheet,
-    style: &Style,
-    (class, label): (&str, &str),
-    at: Point,
-    name: &str,
-    face: &Face,
-) {
+fn draw_haloed(sheet: &mut Sheet, style: &Style, (class, label): (&str, &str), at: Point, name: &str, face: &Face) {
     let RGBColor(red, green, blue) = style.palette.background;
     let rim = format!("#{red:02X}{green:02X}{blue:02X}");
     let width = format!("{}", (30.0 * style.unit) as i32);

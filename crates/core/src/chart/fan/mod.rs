@@ -6,8 +6,6 @@ mod measured;
 mod range;
 mod rays;
 
-pub(super) use crossings::draw_haloed;
-
 use super::key::{Entry, Foot, Head, Sign, basis_text, draw_background, list_labels};
 use super::line::{Area, clip, thin};
 use super::palette::{Style, dashes};
@@ -62,7 +60,7 @@ pub fn fan(chart: &FanChart, options: &ChartOptions) -> Drawing {
     let x = Scale::linear(units.speed(range.from_speed), units.speed(range.to_speed), units.speed.name());
     let y = Scale::linear(0.0, units.frequency(range.top), units.frequency.name());
     let name = text::clean(&chart.blade);
-    let count = crossings_in_band(chart, options.band);
+    let count = crossings::in_band(chart, options.band).filter(|crossing| range.holds(crossing)).count();
 
     // From the outside in: what stands beside the frame gives its width, the width its height.
     let ticks = y.ticks(panel::tick_count(&style, 0.5 * style.width, 55.0));
@@ -71,7 +69,7 @@ pub fn fan(chart: &FanChart, options: &ChartOptions) -> Drawing {
     let rays_room = text::width("100P", style.small(), false);
     let right = style.width - 0.6 * style.margin() - panel::leader_length(&style) - longest.fold(rays_room, f64::max);
     let head = Head::new(&style, &name, entries(chart, options, count), left);
-    let top = head.height(&style) + 0.6 * style.label() + 2.6 * style.small();
+    let top = head.height(&style) + rays::TOP_GAP * style.unit + 2.8 * style.small();
     let area = Area { left, top, right, bottom: top + 0.625 * (right - left) };
     let panel = Panel::new(&style, area, x, y);
 
@@ -120,12 +118,6 @@ pub fn fan(chart: &FanChart, options: &ChartOptions) -> Drawing {
     let (width, height) = (sheet.width, sheet.height);
     let svg = sheet.finish(&format!("{name}: fan chart"), &description(chart, options));
     Drawing { svg, width, height, plots: alloc::vec![panel.describe("fan")] }
-}
-
-fn crossings_in_band(chart: &FanChart, band: (f64, f64)) -> usize {
-    let nominal = chart.nominal.speed_rad_s;
-    let inside = |speed: f64| speed >= band.0 * nominal && speed <= band.1 * nominal;
-    chart.crossings.iter().filter(|crossing| inside(crossing.speed_rad_s)).count()
 }
 
 fn entries(chart: &FanChart, options: &ChartOptions, crossings: usize) -> Vec<Entry> {
@@ -225,7 +217,7 @@ fn draw_nominal(sheet: &mut Sheet, style: &Style, chart: &FanChart, panel: &Pane
     let half = 0.5 * text::width(&name, style.small(), false);
     let face = Face::new(style.small(), style.palette.nominal, Anchor::Middle);
     let middle = x.max(area.left + half).min(style.width - 0.5 * style.margin() - half);
-    let baseline = area.top - 4.0 * style.unit - 1.25 * style.small();
+    let baseline = area.top - rays::TOP_GAP * style.unit - 1.25 * style.small();
     sheet.layer(&[("class", "nominal")], |pen| {
         pen.line(&line, style.palette.nominal, 1.0 * style.unit);
         pen.text((middle, baseline), &name, &face);

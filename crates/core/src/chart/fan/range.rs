@@ -1,6 +1,7 @@
 //! How much of a fan chart to show.
 
-use crate::analysis::{Branch, FanChart, MeasuredPoint};
+use crate::analysis::{Branch, Crossing, FanChart, MeasuredPoint};
+use crate::dof::Dof;
 use alloc::vec::Vec;
 
 /// Rays up to at least this harmonic count as of interest.
@@ -25,7 +26,7 @@ impl Range {
         let speeds = chart.speeds_rad_s.iter().copied().filter(|speed| speed.is_finite());
         let from_speed = speeds.clone().reduce(f64::min).unwrap_or(0.0);
         let to_speed = speeds.reduce(f64::max).filter(|&to| to > from_speed);
-        let to_speed = to_speed.unwrap_or(from_speed + chart.nominal.speed_rad_s.abs().max(1e-9));
+        let to_speed = to_speed.unwrap_or(from_speed + 1.2 * chart.nominal.speed_rad_s.abs().max(1e-9));
         let reach = f64::from(chart.harmonics.max(LEAST_HARMONICS)) * to_speed;
 
         let mut spans: Vec<(f64, f64)> = chart.branches.iter().filter_map(span).collect();
@@ -38,7 +39,7 @@ impl Range {
         let points = points.map(|point| point.frequency_rad_s);
         let mut top = shown.chain(lowest).chain(points).fold(0.0, f64::max);
         // The first of each degree of freedom too, where that is not far.
-        for dof in crate::dof::Dof::ALL {
+        for dof in Dof::ALL {
             let first = chart.branches.iter().filter(|branch| branch.dof == dof).filter_map(span).map(|span| span.1);
             let first = first.reduce(f64::min).unwrap_or(0.0);
             if first <= 2.0 * top {
@@ -48,6 +49,14 @@ impl Range {
         let top = if top > 0.0 { top } else { reach };
         // Air above the highest curve.
         Self { from_speed, to_speed, top: 1.04 * top }
+    }
+}
+
+impl Range {
+    /// Whether a crossing shows.
+    pub(super) fn holds(&self, crossing: &Crossing) -> bool {
+        (self.from_speed..=self.to_speed).contains(&crossing.speed_rad_s)
+            && (0.0..=self.top).contains(&crossing.frequency_rad_s)
     }
 }
 

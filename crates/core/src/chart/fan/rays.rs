@@ -12,6 +12,9 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
+/// From the frame to the labels above it [px], room for leaders.
+pub(super) const TOP_GAP: f64 = 9.0;
+
 /// One ray in the frame.
 #[derive(Clone, Debug)]
 pub(super) struct Ray {
@@ -120,15 +123,21 @@ pub(super) fn draw_top_labels(
         .map(|(x, label, face, rank, _)| Wish {
             target: *x,
             size: text::width(label, face.size, face.bold) + 5.0 * style.unit,
-            limit: 12.0 * style.unit,
+            limit: 40.0 * style.unit,
             rank: *rank,
         })
         .collect();
     // The corner to the right belongs to the labels there.
     let places = spread(&wishes, area.left, area.right + 4.0 * style.unit);
-    for ((_, label, face, _, class), place) in labels.iter().zip(places) {
+    for ((target, label, face, _, class), place) in labels.iter().zip(places) {
         let Some(x) = place else { continue };
-        let baseline = area.top - 4.0 * style.unit;
-        sheet.layer(&[("class", class), ("data-label", label)], |pen| pen.text((x, baseline), label, face));
+        let foot = area.top - TOP_GAP * style.unit;
+        sheet.layer(&[("class", class), ("data-label", label)], |pen| {
+            if (x - target).abs() > 1.0 {
+                let bend = [(*target, area.top - 1.0), (x, foot + 1.5 * style.unit)];
+                pen.line(&bend, style.palette.tone(face.colour, 0.6), 0.8);
+            }
+            pen.text((x, foot), label, face);
+        });
     }
 }
