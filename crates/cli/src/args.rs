@@ -1,0 +1,294 @@
+//! The commands and their options. Values stay text here: the core reads and checks them
+//! (`Settings::set`), so that the page and the command line have the same rules and messages.
+
+use crate::failure::Failure;
+use bladefan_core::analysis::Settings;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+const NOTES: &str = "\
+Speeds: a bare number is rad/s; units follow without a space: 660rpm, 11Hz, 69.1rad/s.
+BLADE: a built-in name (see `bladefan blades`), a .toml or .json file, or - for standard input.
+
+Example: bladefan fan tm4760 --svg fan.svg";
+
+/// Natural frequencies, mode shapes and fan charts of rotating blades.
+///
+/// Flap, lag and torsion, each on its own (uncoupled), in vacuum, at zero pitch.
+#[derive(Debug, Parser)]
+#[command(name = "bladefan", version, after_help = NOTES, max_term_width = 100)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Frequencies of every degree of freedom at one rotor speed.
+    #[command(
+        after_help = "Examples:\n  bladefan modes tm4760\n  bladefan modes my-blade.toml --speed 600rpm --modes 3 --format json\n  cat my-blade.toml | bladefan modes -"
+    )]
+    Modes(ModesArgs),
+    /// Fan chart: frequencies over rotor speed, crossings with the nP rays, margins at nominal speed.
+    #[command(
+        after_help = "Examples:\n  bladefan fan tm4760 --svg fan.svg\n  bladefan fan tm4760 --speeds 0:800rpm:201 --band 0.95:1.05 --format csv --output fan.csv\n  bladefan fan tm4760 --measured test.csv --png fan.png\n\nMeasured points: a CSV file with the columns label, speed, frequency, source, units in the header\nrow: `label,speed [rpm],frequency [Hz],source`. CSV output holds the branches; crossings, margins\nand Southwell coefficients are in the table and in the JSON."
+    )]
+    Fan(FanArgs),
+    /// Mode shapes along the span at one rotor speed.
+    #[command(
+        after_help = "Examples:\n  bladefan shapes sa330 --dof flap --png shapes.png\n  bladefan shapes tm4760 --speed 0 --points 201 --format csv --output shapes.csv\n\nThe table holds displacements at some radii; slopes and moments are in the CSV and the JSON."
+    )]
+    Shapes(ShapesArgs),
+    /// Frequency against the number of assumed functions.
+    #[command(after_help = "Example:\n  bladefan converge tm4760 --up-to 30 --dof flap --svg converge.svg")]
+    Converge(ConvergeArgs),
+    /// Look a blade over: every fault with its place, or mass, inertia and static moments.
+    #[command(after_help = "Examples:\n  bladefan check my-blade.toml\n  bladefan blades tm4760 | bladefan check -")]
+    Check(CheckArgs),
+    /// List the built-in blades, or print the file of one.
+    #[command(after_help = "Examples:\n  bladefan blades\n  bladefan blades tm4760 > my-blade.toml")]
+    Blades(BladesArgs),
+}
+
+/// How a result is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// Aligned columns for reading
+    Table,
+    /// One line of JSON, full precision
+    Json,
+    /// Comma-separated values, units in the header, full precision
+    Csv,
+}
+
+/// Colours of a drawing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ThemeName {
+    /// For paper and light pages
+    Light,
+    /// For dark pages
+    Dark,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct BladeArg {
+    /// Built-in name, .toml or .json file, or - for standard input
+    #[arg(value_name = "BLADE")]
+    pub(crate) blade: String,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ResultArgs {
+    /// How the result is written
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub(crate) format: Format,
+    /// Write the result to FILE, not to standard output
+    #[arg(long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct DrawingArgs {
+    /// Also draw to FILE as SVG
+    #[arg(long, value_name = "FILE")]
+    pub(crate) svg: Option<PathBuf>,
+    /// Also draw to FILE as PNG, two pixels per unit of the SVG
+    #[arg(long, value_name = "FILE")]
+    pub(crate) png: Option<PathBuf>,
+    /// Colours of the drawing
+    #[arg(long, value_enum, default_value_t = ThemeName::Light)]
+    pub(crate) theme: ThemeName,
+    /// Width of the drawing in pixels [default: 960]
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(320..=8000))]
+    pub(crate) width: Option<u32>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SolverArgs {
+    /// Modes per degree of freedom [default: 5]
+    #[arg(long, value_name = "K", allow_hyphen_values = true)]
+    modes: Option<String>,
+    /// Degrees of freedom [default: flap,lag,torsion]
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    dof: Option<String>,
+    /// Family of assumed functions [default: classical]
+    #[arg(long, value_name = "FAMILY", allow_hyphen_values = true)]
+    basis: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct FunctionsArg {
+    /// Number of assumed functions per degree of freedom [default: 15]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    functions: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SpeedArg {
+    /// Rotor speed, like 69.1 (rad/s), 660rpm or 11Hz [default: the blade's nominal speed]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    speed: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ModesArgs {
+    #[command(flatten)]
+    pub(crate) blade: BladeArg,
+    #[command(flatten)]
+    speed: SpeedArg,
+    #[command(flatten)]
+    solver: SolverArgs,
+    #[command(flatten)]
+    functions: FunctionsArg,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct FanArgs {
+    #[command(flatten)]
+    pub(crate) blade: BladeArg,
+    /// Rotor speeds, both ends included, like 0:800rpm:101 [default: 0 to 1.2 × nominal, 101 speeds]
+    #[arg(long, value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
+    speeds: Option<String>,
+    /// Rays 1P … NP [default: 10]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    harmonics: Option<String>,
+    /// Operating band as ratios of nominal speed [default: 0.9:1.1]
+    #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
+    band: Option<String>,
+    /// Measured points to set beside the branches (CSV)
+    #[arg(long, value_name = "FILE")]
+    pub(crate) measured: Option<PathBuf>,
+    #[command(flatten)]
+    solver: SolverArgs,
+    #[command(flatten)]
+    functions: FunctionsArg,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+    #[command(flatten)]
+    pub(crate) drawing: DrawingArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ShapesArgs {
+    #[command(flatten)]
+    pub(crate) blade: BladeArg,
+    #[command(flatten)]
+    speed: SpeedArg,
+    /// Radii per mode shape, both ends included [default: 101]
+    #[arg(long, value_name = "COUNT", allow_hyphen_values = true)]
+    points: Option<String>,
+    /// Scale of the shapes: max (largest displacement 1) or mass (the paper's Eq. 86-87) [default: max]
+    #[arg(long, value_name = "HOW", allow_hyphen_values = true)]
+    normalise: Option<String>,
+    #[command(flatten)]
+    solver: SolverArgs,
+    #[command(flatten)]
+    functions: FunctionsArg,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+    #[command(flatten)]
+    pub(crate) drawing: DrawingArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ConvergeArgs {
+    #[command(flatten)]
+    pub(crate) blade: BladeArg,
+    #[command(flatten)]
+    speed: SpeedArg,
+    /// Largest number of assumed functions [default: 16]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    up_to: Option<String>,
+    #[command(flatten)]
+    solver: SolverArgs,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+    #[command(flatten)]
+    pub(crate) drawing: DrawingArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CheckArgs {
+    #[command(flatten)]
+    pub(crate) blade: BladeArg,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct BladesArgs {
+    /// Print the file of this blade
+    pub(crate) name: Option<String>,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+}
+
+/// Options by the names that the core knows them by.
+type Given<'a> = Vec<(&'static str, &'a Option<String>)>;
+
+/// Reads options into settings; every fault at once.
+fn read(given: Given<'_>) -> Result<Settings, Failure> {
+    let mut settings = Settings::default();
+    let mut faults = Vec::new();
+    for (name, text) in given {
+        if let Some(text) = text
+            && let Err(fault) = settings.set(name, text)
+        {
+            faults.push(fault);
+        }
+    }
+    if faults.is_empty() {
+        faults = settings.check();
+    }
+    if faults.is_empty() { Ok(settings) } else { Err(Failure::options(&faults)) }
+}
+
+impl SolverArgs {
+    fn given(&self) -> Given<'_> {
+        vec![("modes", &self.modes), ("dof", &self.dof), ("basis", &self.basis)]
+    }
+}
+
+impl ModesArgs {
+    pub(crate) fn settings(&self) -> Result<Settings, Failure> {
+        let mut given = vec![("speed", &self.speed.speed), ("functions", &self.functions.functions)];
+        given.extend(self.solver.given());
+        read(given)
+    }
+}
+
+impl FanArgs {
+    pub(crate) fn settings(&self) -> Result<Settings, Failure> {
+        let mut given = vec![
+            ("speeds", &self.speeds),
+            ("harmonics", &self.harmonics),
+            ("band", &self.band),
+            ("functions", &self.functions.functions),
+        ];
+        given.extend(self.solver.given());
+        read(given)
+    }
+}
+
+impl ShapesArgs {
+    pub(crate) fn settings(&self) -> Result<Settings, Failure> {
+        let mut given = vec![
+            ("speed", &self.speed.speed),
+            ("points", &self.points),
+            ("normalise", &self.normalise),
+            ("functions", &self.functions.functions),
+        ];
+        given.extend(self.solver.given());
+        read(given)
+    }
+}
+
+impl ConvergeArgs {
+    pub(crate) fn settings(&self) -> Result<Settings, Failure> {
+        let mut given = vec![("speed", &self.speed.speed), ("up_to", &self.up_to)];
+        given.extend(self.solver.given());
+        read(given)
+    }
+}

@@ -1,0 +1,61 @@
+//! `check`: faults of a blade, or what it amounts to.
+
+use super::speed;
+use crate::args::{CheckArgs, Format};
+use crate::failure::{Failure, warn};
+use crate::output::{self, Output};
+use crate::table::{Align, Cell, Table, plain, significant};
+use crate::{csv, input, json};
+use bladefan_core::analysis::{self, BladeSummary};
+
+pub(super) fn run(args: &CheckArgs) -> Result<Output, Failure> {
+    let input = input::load(&args.blade.blade)?;
+    output::check(&[input.path.as_ref()], &args.result, None)?;
+    let summary = analysis::summary(&input.file.blade);
+    warn(&summary.warnings);
+    let text = match args.result.format {
+        Format::Table => table(&summary),
+        Format::Json => json::line(&summary)?,
+        Format::Csv => csv::summary(&summary)?,
+    };
+    Ok(Output::new(text, &args.result))
+}
+
+fn table(summary: &BladeSummary) -> String {
+    let warnings = match summary.warnings.len() {
+        0 => "no warnings".into(),
+        1 => "1 warning".into(),
+        count => format!("{count} warnings"),
+    };
+    let blades = summary.blades.map(|count| format!("{count} blades, ")).unwrap_or_default();
+    let mut text = format!(
+        "{}: no faults, {warnings}\nradius {} m, nominal speed {}, {blades}{} stations\n\n",
+        plain(&summary.blade),
+        significant(summary.radius_m, 5),
+        speed(summary.nominal_speed_rad_s),
+        summary.stations
+    );
+    let mut table = Table::new([
+        ("", Align::Left),
+        ("root", Align::Left),
+        ("offset", Align::Point),
+        ("spring", Align::Point),
+        ("mass", Align::Point),
+        ("static moment", Align::Point),
+        ("inertia", Align::Point),
+    ]);
+    table.row(["", "", "[m]", "[N·m/rad]", "[kg]", "[kg·m]", "[kg·m²]"].map(Cell::text));
+    for dof in &summary.dofs {
+        table.row([
+            Cell::label(dof.dof.name(), Some(dof.dof)),
+            Cell::text(dof.root),
+            Cell::number(dof.offset_m, 5),
+            Cell::maybe(dof.spring_n_m, 5),
+            Cell::number(dof.mass_kg, 5),
+            Cell::maybe(dof.static_moment_kg_m, 5),
+            Cell::number(dof.inertia_kg_m2, 5),
+        ]);
+    }
+    text.push_str(&table.render());
+    text
+}

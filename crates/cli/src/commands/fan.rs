@@ -1,0 +1,211 @@
+//! `fan`: the fan chart.
+
+use super::measured::{self, Compared};
+use super::{basis, heading, pick, speed};
+use crate::args::{FanArgs, Format};
+use crate::failure::{Failure, warn};
+use crate::output::{self, Output};
+use crate::table::{Align, Cell, Table, significant};
+use crate::{csv, drawing, input, json, progress};
+use bladefan_core::analysis::{self, FanChart, ModesReport, Settings};
+use bladefan_core::chart::{self, ChartOptions};
+use bladefan_core::dof::Dof;
+use bladefan_core::units::rpm;
+use core::fmt::Write as _;
+use serde::Serialize;
+
+/// Most rotor speeds of the table.
+const SPEEDS: usize = 7;
+/// From so many rotor speeds on a chart takes long enough for a sign of life.
+const MANY_SPEEDS: usize = 5000;
+
+/// The chart with the measured points beside it.
+#[derive(Serialize)]
+struct Report<'a> {
+    #[serde(flatten)]
+    chart: &'a FanChart,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    measured: Option<&'a [Compared<'a>]>,
+}
+
+pub(super) fn run(args: &FanArgs) -> Result<Output, Failure> {
+    let settings = args.settings()?;
+    let input = input::load(&args.blade.blade)?;
+    output::check(&[input.path.as_ref(), args.measured.as_ref()], &args.result, Some(&args.drawing))?;
+    let points = args.measured.as_deref().map(measured::read).transpose()?;
+    let blade = &input.file.blade;
+    let count = settings.speeds_or(blade.nominal_speed()).count;
+    let solve = || analysis::fan(blade, &settings);
+    let chart = if count < MANY_SPEEDS { solve() } else { progress::with(format!("{count} rotor speeds"), solve) };
+    let chart = chart.map_err(|faults| Failure::faults(&input.name, &faults))?;
+    warn(&chart.warnings);
+    let compared = match &points {
+        Some(points) => Some(measured::compare(points, &input, &settings)?),
+        None => None,
+    };
+    let text = match args.result.format {
+        Format::Table => {
+            let nominal = Settings { speed: Some(chart.nominal.speed_rad_s), ..settings.clone() };
+            let nominal = analysis::modes(blade, &nominal).map_err(|faults| Failure::faults(&input.name, &faults))?;
+            table(&chart, &nominal, &settings, compared.as_deref())
+        }
+        Format::Json => json::line(&Report { chart: &chart, measured: compared.as_deref() })?,
+        Format::Csv => csv::fan(&chart)?,
+    };
+    let draw = || {
+        let points = points.as_deref().unwrap_or_default();
+        let options = ChartOptions { band: settings.band, measured: points, ..drawing::options(&args.drawing) };
+        chart::fan(&chart, &options)
+    };
+    Output::new(text, &args.result).draw(&args.drawing, draw)
+}
+
+fn table(chart: &FanChart, nominal: &ModesReport, settings: &Settings, compared: Option<&[Compared]>) -> String {
+    let from = chart.speeds_rad_s.first().copied().unwrap_or_default();
+    let to = chart.speeds_rad_s.last().copied().unwrap_or_default();
+    let title = format!("{} to {}, {} speeds", significant(from, 4), speed(to), chart.speeds_rad_s.len());
+    let mut text = heading(&chart.blade, &title, &basis(&chart.basis));
+    let mut section = |title: &str, table: &Table| {
+        if !table.is_empty() {
+            let _ = writeln!(text, "{title}\n{}", table.render());
+        }
+    };
+    section("Frequency [rad/s] at rotor speeds", &branches(chart));
+    section(&format!("At nominal speed, {}", speed(chart.nominal.speed_rad_s)), &margins(chart, nominal));
+    let band = format!("{} to {} of nominal speed", settings.band.0, settings.band.1);
+    section(
+        &format!("Crossings: rotor speed [rpm] at which a mode meets a ray; * within {band}"),
+        &all(chart, settings),
+    );
+    section(&format!("Crossings within {band}"), &near(chart, settings));
+    if let Some(compared) = compared {
+        section("Measured points, and the solver at their rotor speeds", &points(chart, compared));
+    }
+    text.truncate(text.trim_end().len());
+    text.push('\n');
+    text
+}
+
+fn dof(chart: &FanChart, label: &str) -> Option<Dof> {
+    chart.branches.iter().find(|branch| branch.label == label).map(|branch| branch.dof)
+}
+
+/// Branches at some of the rotor speeds.
+fn branches(chart: &FanChart) -> Table {
+    let picked = pick(chart.speeds_rad_s.len(), SPEEDS);
+    let speeds = picked.iter().filter_map(|index| chart.speeds_rad_s.get(*index));
+    let headers = speeds.map(|speed| (format!("{} rpm", significant(rpm(*speed), 4)), Align::Point));
+    let mut table = Table::new(core::iter::once((String::from("mode"), Align::Left)).chain(headers));
+    for branch in &chart.branches {
+        let values = picked.iter().map(|index| Cell::maybe(branch.frequency_rad_s.get(*index).copied(), 5));
+        table.row(core::iter::once(Cell::label(&branch.label, Some(branch.dof))).chain(values));
+    }
+    table
+}
+
+/// Every branch at nominal speed with the harmonic it is nearest to, and its Southwell line.
+fn margins(chart: &FanChart, nominal: &ModesReport) -> Table {
+    let mut table = Table::new([
+        ("mode", Align::Left),
+        ("rad/s", Align::Point),
+        ("Hz", Align::Point),
+        ("/rev", Align::Point),
+        ("nearest", Align::Left),
+        ("margin [/rev]", Align::Point),
+        ("Southwell k0 [rad²/s²]", Align::Point),
+        ("k1", Align::Point),
+    ]);
+    for branch in &chart.branches {
+        let mode = nominal.modes.iter().find(|mode| mode.label == branch.label);
+        let margin = chart.nominal.margins.iter().find(|margin| margin.label == branch.label);
+        table.row([
+            Cell::label(&branch.label, Some(branch.dof)),
+            Cell::maybe(mode.map(|mode| mode.frequency_rad_s), 5),
+            Cell::maybe(mode.map(|mode| mode.frequency_hz), 5),
+            Cell::maybe(margin.map(|margin| margin.per_rev), 4),
+            Cell::text(margin.map_or_else(|| "-".into(), |margin| format!("{}P", margin.nearest_harmonic))),
+            margin.map_or_else(|| Cell::text("-"), |margin| Cell::signed(margin.margin_per_rev, 3)),
+            Cell::number(branch.southwell.k0, 5),
+            Cell::number(branch.southwell.k1, 5),
+        ]);
+    }
+    table
+}
+
+fn in_band(chart: &FanChart, settings: &Settings, speed: f64) -> bool {
+    let ratio = speed / chart.nominal.speed_rad_s;
+    settings.band.0 <= ratio && ratio <= settings.band.1
+}
+
+/// All crossings: a row for each branch that has any, a column for each ray.
+fn all(chart: &FanChart, settings: &Settings) -> Table {
+    let rays = (1..=chart.harmonics).map(|harmonic| (format!("{harmonic}P"), Align::Point));
+    let mut table = Table::new(core::iter::once((String::from("mode"), Align::Left)).chain(rays));
+    for branch in &chart.branches {
+        let cell = |harmonic: u32| {
+            let on_ray = |on: &analysis::Coincidence| on.label == branch.label && on.harmonic == harmonic;
+            if chart.coincident.iter().any(on_ray) {
+                return "all".into();
+            }
+            let here = chart.crossings.iter().filter(|at| at.label == branch.label && at.harmonic == harmonic);
+            let speeds: Vec<String> = here
+                .map(|at| {
+                    let mark = if in_band(chart, settings, at.speed_rad_s) { "*" } else { "" };
+                    format!("{}{mark}", significant(rpm(at.speed_rad_s), 4))
+                })
+                .collect();
+            speeds.join(", ")
+        };
+        let cells: Vec<String> = (1..=chart.harmonics).map(cell).collect();
+        if cells.iter().any(|cell| !cell.is_empty()) {
+            let label = Cell::label(&branch.label, Some(branch.dof));
+            table.row(core::iter::once(label).chain(cells.iter().map(Cell::text)));
+        }
+    }
+    table
+}
+
+/// Crossings inside the operating band.
+fn near(chart: &FanChart, settings: &Settings) -> Table {
+    let mut table = Table::new([
+        ("mode", Align::Left),
+        ("ray", Align::Left),
+        ("rotor speed [rpm]", Align::Point),
+        ("[rad/s]", Align::Point),
+        ("of nominal", Align::Point),
+        ("frequency [rad/s]", Align::Point),
+    ]);
+    for at in chart.crossings.iter().filter(|at| in_band(chart, settings, at.speed_rad_s)) {
+        table.row([
+            Cell::label(&at.label, dof(chart, &at.label)),
+            Cell::text(format!("{}P", at.harmonic)),
+            Cell::number(rpm(at.speed_rad_s), 5),
+            Cell::number(at.speed_rad_s, 5),
+            Cell::fixed(at.speed_rad_s / chart.nominal.speed_rad_s, 3),
+            Cell::number(at.frequency_rad_s, 5),
+        ]);
+    }
+    table
+}
+
+fn points(chart: &FanChart, compared: &[Compared]) -> Table {
+    let mut table = Table::new([
+        ("mode", Align::Left),
+        ("rotor speed [rpm]", Align::Point),
+        ("measured [rad/s]", Align::Point),
+        ("computed [rad/s]", Align::Point),
+        ("error [%]", Align::Point),
+        ("source", Align::Left),
+    ]);
+    for Compared { point, computed_rad_s, error_percent } in compared {
+        table.row([
+            Cell::label(&point.label, dof(chart, &point.label)),
+            Cell::number(rpm(point.speed_rad_s), 4),
+            Cell::number(point.frequency_rad_s, 5),
+            Cell::maybe(*computed_rad_s, 5),
+            error_percent.map_or_else(|| Cell::text("-"), |error| Cell::signed(error, 2)),
+            Cell::text(&point.source),
+        ]);
+    }
+    table
+}

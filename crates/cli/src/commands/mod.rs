@@ -1,0 +1,73 @@
+//! One file per command: read, solve, render.
+
+pub(crate) mod blades;
+mod check;
+mod converge;
+mod fan;
+pub(crate) mod measured;
+mod modes;
+mod shapes;
+
+use crate::args::Command;
+use crate::failure::Failure;
+use crate::output::Output;
+use bladefan_core::analysis::{BasisReport, MODEL};
+use bladefan_core::units;
+
+/// Runs a command; what it made is still to be written.
+pub(crate) fn run(command: &Command) -> Result<Output, Failure> {
+    match command {
+        Command::Modes(args) => modes::run(args),
+        Command::Fan(args) => fan::run(args),
+        Command::Shapes(args) => shapes::run(args),
+        Command::Converge(args) => converge::run(args),
+        Command::Check(args) => check::run(args),
+        Command::Blades(args) => blades::run(args),
+    }
+}
+
+/// The two lines above every table: which blade at what speed, and what the model is.
+fn heading(blade: &str, what: &str, basis: &str) -> String {
+    let blade = crate::table::plain(blade);
+    format!("{blade}, {what}\n{basis}; {MODEL}\n\n")
+}
+
+/// A rotor speed as in headings.
+fn speed(speed: f64) -> String {
+    use crate::table::significant;
+    format!("{} rad/s ({} rpm)", significant(speed, 4), significant(units::rpm(speed), 4))
+}
+
+/// The assumed functions as in headings.
+fn basis(report: &BasisReport) -> String {
+    let counts = report.functions;
+    let mut given: Vec<usize> = [counts.flap, counts.lag, counts.torsion].into_iter().flatten().collect();
+    given.dedup();
+    let counts: Vec<String> = given.iter().map(usize::to_string).collect();
+    format!("{} functions, N = {}", report.family.name(), counts.join(", "))
+}
+
+/// Indices of at most `most` of `len` rows: first and last, evenly spaced where that is possible.
+fn pick(len: usize, most: usize) -> Vec<usize> {
+    let last = len.saturating_sub(1);
+    let steps = last.min(most.saturating_sub(1)).max(1);
+    let even = (steps / 2 + 1..=steps).rev().find(|steps| last.is_multiple_of(*steps));
+    let steps = even.unwrap_or(steps);
+    let mut picked: Vec<usize> = (0..=steps).map(|step| (step * last + steps / 2) / steps).collect();
+    picked.dedup();
+    picked
+}
+
+#[cfg(test)]
+mod tests {
+    use super::pick;
+
+    #[test]
+    fn picked_rows_are_evenly_spaced_where_possible() {
+        assert_eq!(pick(101, 7), [0, 20, 40, 60, 80, 100]);
+        assert_eq!(pick(101, 11), [0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 100]);
+        assert_eq!(pick(2, 7), [0, 1]);
+        assert_eq!(pick(1, 7), [0]);
+        assert_eq!(pick(12, 7), [0, 2, 4, 6, 7, 9, 11], "eleven steps have no even split into four to six");
+    }
+}

@@ -1,0 +1,44 @@
+//! `modes`: frequencies at one rotor speed.
+
+use super::{basis, heading, speed};
+use crate::args::{Format, ModesArgs};
+use crate::failure::{Failure, warn};
+use crate::output::{self, Output};
+use crate::table::{Align, Cell, Table};
+use crate::{csv, input, json};
+use bladefan_core::analysis::{self, ModesReport};
+
+pub(super) fn run(args: &ModesArgs) -> Result<Output, Failure> {
+    let settings = args.settings()?;
+    let input = input::load(&args.blade.blade)?;
+    output::check(&[input.path.as_ref()], &args.result, None)?;
+    let report =
+        analysis::modes(&input.file.blade, &settings).map_err(|faults| Failure::faults(&input.name, &faults))?;
+    warn(&report.warnings);
+    let text = match args.result.format {
+        Format::Table => table(&report),
+        Format::Json => json::line(&report)?,
+        Format::Csv => csv::modes(&report)?,
+    };
+    Ok(Output::new(text, &args.result))
+}
+
+fn table(report: &ModesReport) -> String {
+    let mut table = Table::new([
+        ("mode", Align::Left),
+        ("rad/s", Align::Point),
+        ("Hz", Align::Point),
+        ("/rev", Align::Point),
+        ("residual", Align::Point),
+    ]);
+    for mode in &report.modes {
+        table.row([
+            Cell::label(&mode.label, Some(mode.dof)),
+            Cell::number(mode.frequency_rad_s, 5),
+            Cell::number(mode.frequency_hz, 5),
+            Cell::maybe(mode.per_rev, 4),
+            Cell::number(mode.residual, 1),
+        ]);
+    }
+    heading(&report.blade, &speed(report.speed_rad_s), &basis(&report.basis)) + &table.render()
+}

@@ -1,0 +1,66 @@
+//! `shapes`: mode shapes along the span.
+
+use super::{basis, heading, pick, speed};
+use crate::args::{Format, ShapesArgs};
+use crate::failure::{Failure, warn};
+use crate::output::{self, Output};
+use crate::table::{Align, Cell, Table, decimals, significant};
+use crate::{csv, drawing, input, json};
+use bladefan_core::analysis::{self, Normalisation, Settings, ShapesReport};
+use bladefan_core::chart;
+use bladefan_core::dof::Dof;
+
+/// Most radii of the table.
+const RADII: usize = 11;
+
+pub(super) fn run(args: &ShapesArgs) -> Result<Output, Failure> {
+    let settings = args.settings()?;
+    let input = input::load(&args.blade.blade)?;
+    output::check(&[input.path.as_ref()], &args.result, Some(&args.drawing))?;
+    let report =
+        analysis::shapes(&input.file.blade, &settings).map_err(|faults| Failure::faults(&input.name, &faults))?;
+    warn(&report.warnings);
+    let text = match args.result.format {
+        Format::Table => table(&report, &settings),
+        Format::Json => json::line(&report)?,
+        Format::Csv => csv::shapes(&report)?,
+    };
+    let draw = || chart::shapes(&report, &drawing::options(&args.drawing));
+    Output::new(text, &args.result).draw(&args.drawing, draw)
+}
+
+/// One table per degree of freedom: a row for each of some radii, a column for each mode.
+fn table(report: &ShapesReport, settings: &Settings) -> String {
+    let scale = match settings.normalise {
+        Normalisation::Max => "largest displacement 1",
+        Normalisation::Mass => "scaled by mass (the paper's Eq. 86-87)",
+    };
+    let title = format!("mode shapes at {}, {scale}", speed(report.speed_rad_s));
+    let mut text = heading(&report.blade, &title, &basis(&report.basis));
+    let rows = pick(report.r_m.len(), RADII);
+    let mut tables = Vec::new();
+    for dof in Dof::ALL {
+        let shapes: Vec<_> = report.shapes.iter().filter(|shape| shape.dof == dof).collect();
+        if shapes.is_empty() {
+            continue;
+        }
+        let labels =
+            shapes.iter().map(|shape| format!("{} {} rad/s", shape.label, significant(shape.frequency_rad_s, 4)));
+        let headers = core::iter::once(String::from("r [m]")).chain(labels);
+        let mut table = Table::new(headers.map(|header| (header, Align::Point)));
+        let decimals: Vec<usize> = shapes
+            .iter()
+            .map(|shape| decimals(shape.displacement.iter().fold(0.0, |most, value| f64::max(most, value.abs())), 5))
+            .collect();
+        for &row in &rows {
+            let values = shapes.iter().zip(&decimals).map(|(shape, decimals)| {
+                shape.displacement.get(row).map_or_else(|| Cell::text("-"), |value| Cell::fixed(*value, *decimals))
+            });
+            let radius = report.r_m.get(row).copied();
+            table.row(core::iter::once(Cell::maybe(radius, 5)).chain(values));
+        }
+        tables.push(format!("{dof}\n{}", table.render()));
+    }
+    text.push_str(&tables.join("\n"));
+    text
+}
