@@ -2,21 +2,15 @@
 //! (`Settings::set`), so that the page and the command line have the same rules and messages.
 
 use crate::failure::Failure;
+use crate::help;
 use bladefan_core::analysis::Settings;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
-const NOTES: &str = "\
-Speeds: a bare number is rad/s; units follow without a space: 660rpm, 11Hz, 69.1rad/s.
-BLADE: a built-in name (see `bladefan blades`), a .toml or .json file, or - for standard input.
-
-Example: bladefan fan tm4760 --svg fan.svg";
-
-/// Natural frequencies, mode shapes and fan charts of rotating blades.
-///
-/// Flap, lag and torsion, each on its own (uncoupled), in vacuum, at zero pitch.
+/// Natural frequencies, mode shapes and fan charts of rotating blades: flap, lag and torsion, each on
+/// its own (uncoupled), in vacuum, at zero pitch.
 #[derive(Debug, Parser)]
-#[command(name = "bladefan", version, after_help = NOTES, max_term_width = 100)]
+#[command(name = "bladefan", version, after_help = help::NOTES, max_term_width = 100)]
 pub(crate) struct Cli {
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -25,48 +19,38 @@ pub(crate) struct Cli {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Frequencies of every degree of freedom at one rotor speed.
-    #[command(
-        after_help = "Examples:\n  bladefan modes tm4760\n  bladefan modes my-blade.toml --speed 600rpm --modes 3 --format json\n  cat my-blade.toml | bladefan modes -"
-    )]
+    #[command(after_help = help::MODES)]
     Modes(ModesArgs),
     /// Fan chart: frequencies over rotor speed, crossings with the nP rays, margins at nominal speed.
-    #[command(
-        after_help = "Examples:\n  bladefan fan tm4760 --svg fan.svg\n  bladefan fan tm4760 --speeds 0:800rpm:201 --band 0.95:1.05 --format csv --output fan.csv\n  bladefan fan tm4760 --measured test.csv --png fan.png\n\nMeasured points: a CSV file with the columns label, speed, frequency, source, units in the header\nrow: `label,speed [rpm],frequency [Hz],source`. CSV output holds the branches; crossings, margins\nand Southwell coefficients are in the table and in the JSON."
-    )]
+    #[command(after_help = help::FAN)]
     Fan(FanArgs),
     /// Mode shapes along the span at one rotor speed.
-    #[command(
-        after_help = "Examples:\n  bladefan shapes sa330 --dof flap --png shapes.png\n  bladefan shapes tm4760 --speed 0 --points 201 --format csv --output shapes.csv\n\nThe table holds displacements at some radii; slopes and moments are in the CSV and the JSON."
-    )]
+    #[command(after_help = help::SHAPES)]
     Shapes(ShapesArgs),
     /// Frequency against the number of assumed functions.
-    #[command(after_help = "Example:\n  bladefan converge tm4760 --up-to 30 --dof flap --svg converge.svg")]
+    #[command(after_help = help::CONVERGE)]
     Converge(ConvergeArgs),
     /// Look a blade over: every fault with its place, or mass, inertia and static moments.
-    #[command(after_help = "Examples:\n  bladefan check my-blade.toml\n  bladefan blades tm4760 | bladefan check -")]
+    #[command(after_help = help::CHECK)]
     Check(CheckArgs),
     /// List the built-in blades, or print the file of one.
-    #[command(after_help = "Examples:\n  bladefan blades\n  bladefan blades tm4760 > my-blade.toml")]
+    #[command(after_help = help::BLADES)]
     Blades(BladesArgs),
 }
 
 /// How a result is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
-    /// Aligned columns for reading
+    // No doc comments: clap would print them as a list under the option.
     Table,
-    /// One line of JSON, full precision
     Json,
-    /// Comma-separated values, units in the header, full precision
     Csv,
 }
 
 /// Colours of a drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum ThemeName {
-    /// For paper and light pages
     Light,
-    /// For dark pages
     Dark,
 }
 
@@ -79,7 +63,7 @@ pub(crate) struct BladeArg {
 
 #[derive(Debug, Args)]
 pub(crate) struct ResultArgs {
-    /// How the result is written
+    /// table for reading; json (one line) and csv with all digits
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub(crate) format: Format,
     /// Write the result to FILE, not to standard output

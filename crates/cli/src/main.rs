@@ -5,6 +5,7 @@ mod commands;
 mod csv;
 mod drawing;
 mod failure;
+mod help;
 mod input;
 mod json;
 mod output;
