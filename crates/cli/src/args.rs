@@ -212,8 +212,12 @@ pub(crate) struct BladesArgs {
 /// Options by the names that the core knows them by.
 type Given<'a> = Vec<(&'static str, &'a Option<String>)>;
 
-/// Reads options into settings; every fault at once.
+/// Reads options into settings and checks them; every fault at once.
 fn read(given: Given<'_>) -> Result<Settings, Failure> {
+    checked(set(given)?)
+}
+
+fn set(given: Given<'_>) -> Result<Settings, Failure> {
     let mut settings = Settings::default();
     let mut faults = Vec::new();
     for (name, text) in given {
@@ -223,9 +227,11 @@ fn read(given: Given<'_>) -> Result<Settings, Failure> {
             faults.push(fault);
         }
     }
-    if faults.is_empty() {
-        faults = settings.check();
-    }
+    if faults.is_empty() { Ok(settings) } else { Err(Failure::options(&faults)) }
+}
+
+fn checked(settings: Settings) -> Result<Settings, Failure> {
+    let faults = settings.check();
     if faults.is_empty() { Ok(settings) } else { Err(Failure::options(&faults)) }
 }
 
@@ -273,6 +279,9 @@ impl ConvergeArgs {
     pub(crate) fn settings(&self) -> Result<Settings, Failure> {
         let mut given = vec![("speed", &self.speed.speed), ("up_to", &self.up_to)];
         given.extend(self.solver.given());
-        read(given)
+        let mut settings = set(given)?;
+        // The number of functions is what varies here: its default must not limit the number of modes.
+        settings.functions = settings.functions.max(settings.modes);
+        checked(settings)
     }
 }

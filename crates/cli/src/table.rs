@@ -37,7 +37,10 @@ impl Cell {
 
     /// A number with a fixed number of decimals.
     pub(crate) fn fixed(value: f64, decimals: usize) -> Self {
-        Self { text: format!("{value:.decimals$}"), style: Style::new() }
+        let text = format!("{value:.decimals$}");
+        // What rounds to zero has no sign.
+        let zero = text.chars().all(|letter| matches!(letter, '-' | '.' | '0'));
+        Self { text: if zero { text.replace('-', "") } else { text }, style: Style::new() }
     }
 
     /// The same with its sign.
@@ -70,7 +73,7 @@ pub(crate) enum Align {
     Point,
 }
 
-/// A table: headers, then rows.
+/// A table: headers, which may have several lines, then rows.
 #[derive(Clone, Debug)]
 pub(crate) struct Table {
     headers: Vec<(String, Align)>,
@@ -93,8 +96,9 @@ impl Table {
     /// The lines of the table, each with its line end. What is wider than a terminal goes on below
     /// under the first column once more.
     pub(crate) fn render(&self) -> String {
+        let head = self.headers.iter().map(|(header, _)| header.lines().count()).max().unwrap_or(0);
         let column = |(index, (header, align)): (usize, &(String, Align))| {
-            Column::new(header, *align, self.rows.iter().filter_map(move |row| row.get(index)))
+            Column::new(header, head, *align, self.rows.iter().filter_map(move |row| row.get(index)))
         };
         let columns: Vec<Column> = self.headers.iter().enumerate().map(column).collect();
         let Some((first, rest)) = columns.split_first() else { return String::new() };
@@ -109,47 +113,44 @@ impl Table {
                 _ => parts.push((first.width + wider, vec![first, column])),
             }
         }
-        let parts: Vec<String> = parts.iter().map(|(_, part)| self.lines(part)).collect();
-        parts.join("\n")
-    }
-
-    fn lines(&self, columns: &[&Column]) -> String {
-        let mut out = String::new();
-        for line in 0..=self.rows.len() {
+        let line = |part: &[&Column], line: usize| {
             let cells: Vec<&str> =
-                columns.iter().map(|column| column.lines.get(line).map_or("", String::as_str)).collect();
-            out.push_str(cells.join(GAP).trim_end());
-            out.push('\n');
-        }
-        out
+                part.iter().map(|column| column.lines.get(line).map_or("", String::as_str)).collect();
+            format!("{}\n", cells.join(GAP).trim_end())
+        };
+        let lines = head + self.rows.len();
+        let parts: Vec<String> =
+            parts.iter().map(|(_, part)| (0..lines).map(|at| line(part, at)).collect::<String>()).collect();
+        parts.join("\n")
     }
 }
 
-/// A column's cells, padded to one width; the header is the first.
+/// A column's lines, padded to one width: `head` of them are the header, the rest the cells.
 struct Column {
     width: usize,
     lines: Vec<String>,
 }
 
 impl Column {
-    fn new<'a>(header: &str, align: Align, cells: impl Iterator<Item = &'a Cell> + Clone) -> Self {
+    fn new<'a>(header: &str, head: usize, align: Align, cells: impl Iterator<Item = &'a Cell> + Clone) -> Self {
         let before = |text: &str| if align == Align::Point { point(text).0 } else { 0 };
         let after = |text: &str| if align == Align::Point { point(text).1 } else { text.width() };
         let most_before = cells.clone().map(|cell| before(&cell.text)).max().unwrap_or(0);
         let most_after = cells.clone().map(|cell| after(&cell.text)).max().unwrap_or(0);
-        let width = (most_before + most_after).max(header.width());
+        let width = header.lines().map(str::width).max().unwrap_or(0).max(most_before + most_after);
         // Numbers stand at the right end under a wide header, words at the left.
         let lead = if align == Align::Point { width - most_before - most_after } else { 0 };
-        let head = match align {
-            Align::Left => format!("{header}{}", spaces(width - header.width())),
-            Align::Point => format!("{}{header}", spaces(width - header.width())),
-        };
+        let above = core::iter::repeat_n("", head - header.lines().count().min(head));
+        let headers = above.chain(header.lines()).map(|line| match align {
+            Align::Left => format!("{line}{}", spaces(width - line.width())),
+            Align::Point => format!("{}{line}", spaces(width - line.width())),
+        });
         let lines = cells.map(|cell| {
             let left = lead + most_before - before(&cell.text);
             let right = width - left - cell.text.width();
             format!("{}{}{}{:#}{}", spaces(left), cell.style, cell.text, cell.style, spaces(right))
         });
-        Self { width, lines: core::iter::once(head).chain(lines).collect() }
+        Self { width, lines: headers.chain(lines).collect() }
     }
 }
 
@@ -188,6 +189,13 @@ pub(crate) fn significant(value: f64, figures: usize) -> String {
         Some(-4..=6) => format!("{value:.*}", decimals(value, figures)),
         _ => format!("{value:.*e}", figures.saturating_sub(1)),
     }
+}
+
+/// `value` to at most so many significant figures, without zeros at the end: for running text.
+pub(crate) fn short(value: f64, figures: usize) -> String {
+    let text = significant(value, figures);
+    let number = text.contains('.') && !text.contains('e');
+    if number { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
 }
 
 /// `text` in lines of at most `width` columns, broken between words, each but the first indented.
@@ -237,10 +245,7 @@ mod tests {
         for (label, value) in [("1F", 72.3), ("2F", 1185.9), ("3F", 0.0)] {
             table.row([Cell::text(label), Cell::number(value, 4)]);
         }
-        assert_eq!(
-            table.render(),
-            "mode   rad/s\n1F       72.30\n2F     1186\n3F        0\n".replace("mode   rad", "mode     rad")
-        );
+        assert_eq!(table.render(), "mode     rad/s\n1F       72.30\n2F     1186\n3F        0\n");
     }
 
     #[test]
@@ -248,6 +253,30 @@ mod tests {
         let mut table = Table::new([("rotor speed [rad/s]", Align::Point), ("x", Align::Left)]);
         table.row([Cell::number(1.5, 2), Cell::text("a\u{1b}[2J")]);
         assert_eq!(table.render(), "rotor speed [rad/s]   x\n                1.5   a?[2J\n");
+    }
+
+    #[test]
+    fn headers_of_several_lines_stand_at_the_bottom() {
+        let mut table = Table::new([("mode", Align::Left), ("mass\n[kg]", Align::Point)]);
+        table.row([Cell::text("1F"), Cell::fixed(-0.004, 2)]);
+        assert_eq!(table.render(), "       mass\nmode   [kg]\n1F     0.00\n");
+    }
+
+    #[test]
+    fn wide_tables_go_on_below() {
+        let mut table = Table::new((0..40).map(|index| (format!("head{index:02}"), Align::Left)));
+        table.row((0..40).map(|index| Cell::text(index.to_string())));
+        let text = table.render();
+        assert!(text.lines().all(|line| line.width() <= WIDTH), "{text}");
+        assert_eq!(text.matches("head00").count(), 4, "the first column stands with every part: {text}");
+        assert!((0..40).all(|index| text.contains(&format!("head{index:02}"))), "{text}");
+    }
+
+    #[test]
+    fn running_text_has_no_idle_zeros() {
+        for (value, text) in [(660.0, "660"), (0.25, "0.25"), (69.115_038, "69.12"), (1.0e9, "1.000e9"), (0.0, "0")] {
+            assert_eq!(short(value, 4), text);
+        }
     }
 
     #[test]

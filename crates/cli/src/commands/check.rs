@@ -4,7 +4,7 @@ use super::speed;
 use crate::args::{CheckArgs, Format};
 use crate::failure::{Failure, warn};
 use crate::output::{self, Output};
-use crate::table::{Align, Cell, Table, plain, significant};
+use crate::table::{Align, Cell, Table, plain, short};
 use crate::{csv, input, json};
 use bladefan_core::analysis::{self, BladeSummary};
 
@@ -31,20 +31,19 @@ fn table(summary: &BladeSummary) -> String {
     let mut text = format!(
         "{}: no faults, {warnings}\nradius {} m, nominal speed {}, {blades}{} stations\n\n",
         plain(&summary.blade),
-        significant(summary.radius_m, 5),
+        short(summary.radius_m, 5),
         speed(summary.nominal_speed_rad_s),
         summary.stations
     );
     let mut table = Table::new([
         ("", Align::Left),
         ("root", Align::Left),
-        ("offset", Align::Point),
-        ("spring", Align::Point),
-        ("mass", Align::Point),
-        ("static moment", Align::Point),
-        ("inertia", Align::Point),
+        ("offset\n[m]", Align::Point),
+        ("spring\n[N·m/rad]", Align::Point),
+        ("mass\n[kg]", Align::Point),
+        ("static moment\n[kg·m]", Align::Point),
+        ("inertia\n[kg·m²]", Align::Point),
     ]);
-    table.row(["", "", "[m]", "[N·m/rad]", "[kg]", "[kg·m]", "[kg·m²]"].map(Cell::text));
     for dof in &summary.dofs {
         table.row([
             Cell::label(dof.dof.name(), Some(dof.dof)),

@@ -5,12 +5,12 @@ use super::{basis, heading, pick, speed};
 use crate::args::{FanArgs, Format};
 use crate::failure::{Failure, warn};
 use crate::output::{self, Output};
-use crate::table::{Align, Cell, Table, significant};
+use crate::table::{Align, Cell, Table, short, significant};
 use crate::{csv, drawing, input, json, progress};
-use bladefan_core::analysis::{self, FanChart, ModesReport, Settings};
+use bladefan_core::analysis::{self, FanChart, Settings};
 use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::dof::Dof;
-use bladefan_core::units::rpm;
+use bladefan_core::units::{hz, rpm};
 use core::fmt::Write as _;
 use serde::Serialize;
 
@@ -44,11 +44,7 @@ pub(super) fn run(args: &FanArgs) -> Result<Output, Failure> {
         None => None,
     };
     let text = match args.result.format {
-        Format::Table => {
-            let nominal = Settings { speed: Some(chart.nominal.speed_rad_s), ..settings.clone() };
-            let nominal = analysis::modes(blade, &nominal).map_err(|faults| Failure::faults(&input.name, &faults))?;
-            table(&chart, &nominal, &settings, compared.as_deref())
-        }
+        Format::Table => table(&chart, &settings, compared.as_deref()),
         Format::Json => json::line(&Report { chart: &chart, measured: compared.as_deref() })?,
         Format::Csv => csv::fan(&chart)?,
     };
@@ -60,10 +56,10 @@ pub(super) fn run(args: &FanArgs) -> Result<Output, Failure> {
     Output::new(text, &args.result).draw(&args.drawing, draw)
 }
 
-fn table(chart: &FanChart, nominal: &ModesReport, settings: &Settings, compared: Option<&[Compared]>) -> String {
+fn table(chart: &FanChart, settings: &Settings, compared: Option<&[Compared]>) -> String {
     let from = chart.speeds_rad_s.first().copied().unwrap_or_default();
     let to = chart.speeds_rad_s.last().copied().unwrap_or_default();
-    let title = format!("{} to {}, {} speeds", significant(from, 4), speed(to), chart.speeds_rad_s.len());
+    let title = format!("{} speeds from {} to {}", chart.speeds_rad_s.len(), short(from, 4), speed(to));
     let mut text = heading(&chart.blade, &title, &basis(&chart.basis));
     let mut section = |title: &str, table: &Table| {
         if !table.is_empty() {
@@ -71,7 +67,7 @@ fn table(chart: &FanChart, nominal: &ModesReport, settings: &Settings, compared:
         }
     };
     section("Frequency [rad/s] at rotor speeds", &branches(chart));
-    section(&format!("At nominal speed, {}", speed(chart.nominal.speed_rad_s)), &margins(chart, nominal));
+    section(&format!("At nominal speed, {}", speed(chart.nominal.speed_rad_s)), &margins(chart));
     let band = format!("{} to {} of nominal speed", settings.band.0, settings.band.1);
     section(
         &format!("Crossings: rotor speed [rpm] at which a mode meets a ray; * within {band}"),
@@ -94,7 +90,7 @@ fn dof(chart: &FanChart, label: &str) -> Option<Dof> {
 fn branches(chart: &FanChart) -> Table {
     let picked = pick(chart.speeds_rad_s.len(), SPEEDS);
     let speeds = picked.iter().filter_map(|index| chart.speeds_rad_s.get(*index));
-    let headers = speeds.map(|speed| (format!("{} rpm", significant(rpm(*speed), 4)), Align::Point));
+    let headers = speeds.map(|speed| (format!("{} rpm", short(rpm(*speed), 4)), Align::Point));
     let mut table = Table::new(core::iter::once((String::from("mode"), Align::Left)).chain(headers));
     for branch in &chart.branches {
         let values = picked.iter().map(|index| Cell::maybe(branch.frequency_rad_s.get(*index).copied(), 5));
@@ -104,24 +100,24 @@ fn branches(chart: &FanChart) -> Table {
 }
 
 /// Every branch at nominal speed with the harmonic it is nearest to, and its Southwell line.
-fn margins(chart: &FanChart, nominal: &ModesReport) -> Table {
+fn margins(chart: &FanChart) -> Table {
     let mut table = Table::new([
         ("mode", Align::Left),
         ("rad/s", Align::Point),
         ("Hz", Align::Point),
         ("/rev", Align::Point),
         ("nearest", Align::Left),
-        ("margin [/rev]", Align::Point),
-        ("Southwell k0 [rad²/s²]", Align::Point),
+        ("margin\n[/rev]", Align::Point),
+        ("Southwell k0\n[rad²/s²]", Align::Point),
         ("k1", Align::Point),
     ]);
     for branch in &chart.branches {
-        let mode = nominal.modes.iter().find(|mode| mode.label == branch.label);
         let margin = chart.nominal.margins.iter().find(|margin| margin.label == branch.label);
+        let frequency = margin.map(|margin| margin.per_rev * chart.nominal.speed_rad_s);
         table.row([
             Cell::label(&branch.label, Some(branch.dof)),
-            Cell::maybe(mode.map(|mode| mode.frequency_rad_s), 5),
-            Cell::maybe(mode.map(|mode| mode.frequency_hz), 5),
+            Cell::maybe(frequency, 5),
+            Cell::maybe(frequency.map(hz), 5),
             Cell::maybe(margin.map(|margin| margin.per_rev), 4),
             Cell::text(margin.map_or_else(|| "-".into(), |margin| format!("{}P", margin.nearest_harmonic))),
             margin.map_or_else(|| Cell::text("-"), |margin| Cell::signed(margin.margin_per_rev, 3)),
@@ -170,10 +166,11 @@ fn near(chart: &FanChart, settings: &Settings) -> Table {
     let mut table = Table::new([
         ("mode", Align::Left),
         ("ray", Align::Left),
-        ("rotor speed [rpm]", Align::Point),
-        ("[rad/s]", Align::Point),
-        ("of nominal", Align::Point),
-        ("frequency [rad/s]", Align::Point),
+        ("rotor speed\n[rpm]", Align::Point),
+        ("\n[rad/s]", Align::Point),
+        ("of\nnominal", Align::Point),
+        ("frequency\n[rad/s]", Align::Point),
+        ("\n[Hz]", Align::Point),
     ]);
     for at in chart.crossings.iter().filter(|at| in_band(chart, settings, at.speed_rad_s)) {
         table.row([
@@ -183,6 +180,7 @@ fn near(chart: &FanChart, settings: &Settings) -> Table {
             Cell::number(at.speed_rad_s, 5),
             Cell::fixed(at.speed_rad_s / chart.nominal.speed_rad_s, 3),
             Cell::number(at.frequency_rad_s, 5),
+            Cell::number(hz(at.frequency_rad_s), 5),
         ]);
     }
     table
@@ -191,10 +189,10 @@ fn near(chart: &FanChart, settings: &Settings) -> Table {
 fn points(chart: &FanChart, compared: &[Compared]) -> Table {
     let mut table = Table::new([
         ("mode", Align::Left),
-        ("rotor speed [rpm]", Align::Point),
-        ("measured [rad/s]", Align::Point),
-        ("computed [rad/s]", Align::Point),
-        ("error [%]", Align::Point),
+        ("rotor speed\n[rpm]", Align::Point),
+        ("measured\n[rad/s]", Align::Point),
+        ("computed\n[rad/s]", Align::Point),
+        ("error\n[%]", Align::Point),
         ("source", Align::Left),
     ]);
     for Compared { point, computed_rad_s, error_percent } in compared {

@@ -34,8 +34,8 @@ fn heading(blade: &str, what: &str, basis: &str) -> String {
 
 /// A rotor speed as in headings.
 fn speed(speed: f64) -> String {
-    use crate::table::significant;
-    format!("{} rad/s ({} rpm)", significant(speed, 4), significant(units::rpm(speed), 4))
+    use crate::table::short;
+    format!("{} rad/s ({} rpm)", short(speed, 4), short(units::rpm(speed), 4))
 }
 
 /// The assumed functions as in headings.

@@ -6,7 +6,7 @@ use crate::failure::{Failure, warn};
 use crate::output::{self, Output};
 use crate::table::{Align, Cell, Table, decimals, significant};
 use crate::{csv, drawing, input, json};
-use bladefan_core::analysis::{self, Normalisation, Settings, ShapesReport};
+use bladefan_core::analysis::{self, Settings, ShapeScale, ShapesReport};
 use bladefan_core::chart;
 use bladefan_core::dof::Dof;
 
@@ -32,8 +32,8 @@ pub(super) fn run(args: &ShapesArgs) -> Result<Output, Failure> {
 /// One table per degree of freedom: a row for each of some radii, a column for each mode.
 fn table(report: &ShapesReport, settings: &Settings) -> String {
     let scale = match settings.normalise {
-        Normalisation::Max => "largest displacement 1",
-        Normalisation::Mass => "scaled by mass (the paper's Eq. 86-87)",
+        ShapeScale::Max => "largest displacement 1",
+        ShapeScale::Mass => "scaled by mass (the paper's Eq. 86-87)",
     };
     let title = format!("mode shapes at {}, {scale}", speed(report.speed_rad_s));
     let mut text = heading(&report.blade, &title, &basis(&report.basis));
@@ -45,7 +45,7 @@ fn table(report: &ShapesReport, settings: &Settings) -> String {
             continue;
         }
         let labels =
-            shapes.iter().map(|shape| format!("{} {} rad/s", shape.label, significant(shape.frequency_rad_s, 4)));
+            shapes.iter().map(|shape| format!("{}\n{} rad/s", shape.label, significant(shape.frequency_rad_s, 4)));
         let headers = core::iter::once(String::from("r [m]")).chain(labels);
         let mut table = Table::new(headers.map(|header| (header, Align::Point)));
         let decimals: Vec<usize> = shapes
