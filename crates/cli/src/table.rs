@@ -2,7 +2,7 @@
 //!
 //! No table crate we know aligns on the decimal point, and that is most of what there is to do.
 
-use anstyle::{RgbColor, Style};
+use anstyle::{Ansi256Color, Style};
 use bladefan_core::dof::Dof;
 use core::fmt::Write as _;
 use unicode_width::UnicodeWidthStr;
@@ -54,12 +54,12 @@ impl Cell {
     }
 }
 
-/// The colours of the charts: blue flap, vermilion lag, green torsion.
+/// Nearly the colours of the charts: blue flap, vermilion lag, green torsion.
 fn colour(dof: Dof) -> Style {
     let colour = match dof {
-        Dof::Flap => RgbColor(0x00, 0x72, 0xB2),
-        Dof::Lag => RgbColor(0xD5, 0x5E, 0x00),
-        Dof::Torsion => RgbColor(0x00, 0x9E, 0x73),
+        Dof::Flap => Ansi256Color(32),
+        Dof::Lag => Ansi256Color(166),
+        Dof::Torsion => Ansi256Color(36),
     };
     Style::new().fg_color(Some(colour.into()))
 }
@@ -227,7 +227,7 @@ mod tests {
             (0.0, "0"),
             (9.99999, "10.000"),
             (72.3, "72.300"),
-            (-0.31234567, "-0.31235"),
+            (-0.312_345_67, "-0.31235"),
             (0.000_123_456, "0.00012346"),
             (1_234_567.0, "1234567"),
             (12_345_678.0, "1.2346e7"),

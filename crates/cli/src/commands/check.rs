@@ -4,7 +4,7 @@ use super::speed;
 use crate::args::{CheckArgs, Format};
 use crate::failure::{Failure, warn};
 use crate::output::{self, Output};
-use crate::table::{Align, Cell, Table, plain, short};
+use crate::table::{Align, Cell, Table, WIDTH, short, wrap};
 use crate::{csv, input, json};
 use bladefan_core::analysis::{self, BladeSummary};
 
@@ -30,7 +30,7 @@ fn table(summary: &BladeSummary) -> String {
     let blades = summary.blades.map(|count| format!("{count} blades, ")).unwrap_or_default();
     let mut text = format!(
         "{}: no faults, {warnings}\nradius {} m, nominal speed {}, {blades}{} stations\n\n",
-        plain(&summary.blade),
+        wrap(&summary.blade, 0, WIDTH - 30),
         short(summary.radius_m, 5),
         speed(summary.nominal_speed_rad_s),
         summary.stations

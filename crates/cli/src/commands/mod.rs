@@ -11,6 +11,7 @@ mod shapes;
 use crate::args::Command;
 use crate::failure::Failure;
 use crate::output::Output;
+use crate::table::{WIDTH, short, wrap};
 use bladefan_core::analysis::{BasisReport, MODEL};
 use bladefan_core::units;
 
@@ -28,13 +29,12 @@ pub(crate) fn run(command: &Command) -> Result<Output, Failure> {
 
 /// The two lines above every table: which blade at what speed, and what the model is.
 fn heading(blade: &str, what: &str, basis: &str) -> String {
-    let blade = crate::table::plain(blade);
-    format!("{blade}, {what}\n{basis}; {MODEL}\n\n")
+    let [first, second] = [format!("{blade}, {what}"), format!("{basis}; {MODEL}")].map(|line| wrap(&line, 0, WIDTH));
+    format!("{first}\n{second}\n\n")
 }
 
 /// A rotor speed as in headings.
 fn speed(speed: f64) -> String {
-    use crate::table::short;
     format!("{} rad/s ({} rpm)", short(speed, 4), short(units::rpm(speed), 4))
 }
 

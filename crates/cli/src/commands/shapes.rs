@@ -31,12 +31,12 @@ pub(super) fn run(args: &ShapesArgs) -> Result<Output, Failure> {
 
 /// One table per degree of freedom: a row for each of some radii, a column for each mode.
 fn table(report: &ShapesReport, settings: &Settings) -> String {
-    let scale = match settings.normalise {
-        ShapeScale::Max => "largest displacement 1",
-        ShapeScale::Mass => "scaled by mass (the paper's Eq. 86-87)",
-    };
-    let title = format!("mode shapes at {}, {scale}", speed(report.speed_rad_s));
+    let title = format!("mode shapes at {}", speed(report.speed_rad_s));
     let mut text = heading(&report.blade, &title, &basis(&report.basis));
+    text.push_str(match settings.normalise {
+        ShapeScale::Max => "Displacement, 1 where it is largest\n\n",
+        ShapeScale::Mass => "Displacement, scaled by mass (the paper's Eq. 86-87)\n\n",
+    });
     let rows = pick(report.r_m.len(), RADII);
     let mut tables = Vec::new();
     for dof in Dof::ALL {
@@ -48,16 +48,16 @@ fn table(report: &ShapesReport, settings: &Settings) -> String {
             shapes.iter().map(|shape| format!("{}\n{} rad/s", shape.label, significant(shape.frequency_rad_s, 4)));
         let headers = core::iter::once(String::from("r [m]")).chain(labels);
         let mut table = Table::new(headers.map(|header| (header, Align::Point)));
-        let decimals: Vec<usize> = shapes
+        let places: Vec<usize> = shapes
             .iter()
             .map(|shape| decimals(shape.displacement.iter().fold(0.0, |most, value| f64::max(most, value.abs())), 5))
             .collect();
         for &row in &rows {
-            let values = shapes.iter().zip(&decimals).map(|(shape, decimals)| {
-                shape.displacement.get(row).map_or_else(|| Cell::text("-"), |value| Cell::fixed(*value, *decimals))
+            let values = shapes.iter().zip(&places).map(|(shape, places)| {
+                shape.displacement.get(row).map_or_else(|| Cell::text("-"), |value| Cell::fixed(*value, *places))
             });
-            let radius = report.r_m.get(row).copied();
-            table.row(core::iter::once(Cell::maybe(radius, 5)).chain(values));
+            let radius = report.r_m.get(row).map(|radius| Cell::fixed(*radius, decimals(report.radius_m, 5)));
+            table.row(radius.into_iter().chain(values));
         }
         tables.push(format!("{dof}\n{}", table.render()));
     }

@@ -1,0 +1,71 @@
+//! Which blade `BLADE` names.
+
+use super::{run, run_in, run_with, toml};
+use std::fs;
+
+#[test]
+fn a_built_in_name_wins_over_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("uniform"), toml("tm4760")).unwrap();
+    let name = |argument: &str| run_in(folder.path(), &["modes", argument]).good();
+    assert!(name("uniform").starts_with("uniform cantilever"), "the built-in blade");
+    assert!(name("./uniform").starts_with("TM 4760"), "the file");
+}
+
+#[test]
+fn a_file_in_this_folder_needs_no_ending() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("mine"), toml("tm4760")).unwrap();
+    assert!(run_in(folder.path(), &["modes", "mine"]).good().starts_with("TM 4760"), "read as TOML");
+}
+
+#[test]
+fn endings_tell_the_format() {
+    let folder = tempfile::tempdir().unwrap();
+    let json = run(&["blades", "tm4760", "--format", "json"]).good();
+    fs::write(folder.path().join("mine.json"), &json).unwrap();
+    fs::write(folder.path().join("mine.TOML"), toml("tm4760")).unwrap();
+    fs::write(folder.path().join("wrong.toml"), &json).unwrap();
+    let from_json = run_in(folder.path(), &["modes", "mine.json"]).good();
+    assert_eq!(from_json, run_in(folder.path(), &["modes", "mine.TOML"]).good());
+    assert_eq!(from_json, run(&["modes", "tm4760"]).good(), "JSON, TOML and the built-in blade are one");
+    assert!(run_in(folder.path(), &["modes", "wrong.toml"]).refused().starts_with("wrong.toml:1:"), "read as TOML");
+}
+
+#[test]
+fn standard_input_is_json_where_it_begins_with_a_brace() {
+    let expected = run(&["modes", "sa330"]).good();
+    let json = run(&["blades", "sa330", "--format", "json"]).good();
+    for text in [toml("sa330").to_owned(), json.clone(), format!("\n  {json}")] {
+        assert_eq!(run_with(text, &["modes", "-"]).good(), expected);
+    }
+    let faults = run_with("schema = 1\n", &["check", "-"]).refused();
+    assert!(faults.lines().all(|line| line.starts_with("<stdin>:")), "{faults}");
+}
+
+#[test]
+fn what_is_not_there_is_said_so() {
+    let message = run(&["modes", "tm476"]).refused();
+    assert_eq!(message, "tm476: no built-in blade and no file of this name; did you mean tm4760?\n");
+    let message = run(&["modes", "qqqq"]).refused();
+    assert!(message.contains("built in are tm4760, sa330, "), "{message}");
+    assert_eq!(run(&["modes", "./no/such.toml"]).refused(), "./no/such.toml: no such file\n");
+    assert!(run(&["blades", "Uniform"]).refused().contains("did you mean uniform?"), "for `blades` too");
+}
+
+#[test]
+fn a_folder_is_no_blade() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = format!("{}/", folder.path().display());
+    assert!(run(&["modes", &path]).refused().contains("cannot be read"), "{path}");
+}
+
+#[test]
+fn text_that_is_not_utf_8_is_a_fault_with_its_place() {
+    let message = run_with(b"a = 1\nb = \"\xc3\xbc\xff\"\n".to_vec(), &["check", "-"]).refused();
+    assert_eq!(message, "<stdin>:2:7: the text must be UTF-8 (has the byte 0xff)\n");
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("mine.toml"), b"\xfe").unwrap();
+    let message = run_in(folder.path(), &["check", "mine.toml"]).refused();
+    assert!(message.starts_with("mine.toml:1:1: "), "{message}");
+}

@@ -1,0 +1,17 @@
+//! Whole tables, as the commands in this file's test print them. After a change that is meant, run
+//! them again and look at the difference: `bladefan check tm4760 > crates/cli/tests/cli/tables/check.txt`.
+
+use super::run;
+
+#[test]
+fn tables_look_like_this() {
+    let cases: [(&[&str], &str); 4] = [
+        (&["check", "tm4760"], include_str!("tables/check.txt")),
+        (&["fan", "tm4760", "--modes", "3"], include_str!("tables/fan.txt")),
+        (&["shapes", "uniform", "--dof", "flap"], include_str!("tables/shapes.txt")),
+        (&["converge", "tm4760", "--modes", "2", "--up-to", "5"], include_str!("tables/converge.txt")),
+    ];
+    for (arguments, expected) in cases {
+        assert_eq!(run(arguments).good(), expected, "bladefan {}", arguments.join(" "));
+    }
+}
