@@ -252,3 +252,17 @@ fn faults_of_measured_points_have_places() {
     );
     assert_eq!(shown(""), ["missing 1:1: header: must have a header row: label, speed, frequency, source"]);
 }
+
+/// The text of the first block of this language in the documentation.
+fn documented(language: &str) -> String {
+    let document = include_str!("../../docs/BLADE_FORMAT.md");
+    let (_, rest) = document.split_once(&format!("```{language}\n")).unwrap();
+    rest.split_once("```").unwrap().0.to_owned()
+}
+
+#[test]
+fn the_documented_files_are_sound_and_the_same() {
+    let toml = read(&documented("toml"), Format::Toml).unwrap();
+    assert_eq!(toml, read(&documented("json"), Format::Json).unwrap());
+    assert_eq!(measured::read(&documented("csv")).unwrap().len(), 3);
+}
