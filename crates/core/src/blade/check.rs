@@ -323,3 +323,6 @@ impl Checker {
         spring?.map(|k| if k > 0.0 { RootCondition::Spring(k) } else { RootCondition::Free })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -6,6 +6,7 @@ mod model;
 mod tension;
 
 pub use check::check;
+#[cfg(feature = "file")]
 pub(crate) use check::{Shortest, choice_fault, shortest};
 pub use definition::{
     BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Source,
