@@ -9,7 +9,7 @@ use super::sheet::{Anchor, Face, Point, Sheet, dash_array};
 use super::{ChartOptions, Drawing, FrequencyUnit, text};
 use crate::analysis::{ConvergeReport, ConvergeSeries};
 use crate::dof::Dof;
-use crate::numerics::scalar::{ceil, floor, log10, round};
+use crate::numerics::scalar::{ceil, round};
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -73,8 +73,8 @@ pub fn converge(report: &ConvergeReport, options: &ChartOptions) -> Drawing {
     panels[0].draw_grid(&mut sheet, &style);
     panels[1].draw_grid(&mut sheet, &style);
     draw_paper_mark(&mut sheet, &style, &panels);
-    draw_traces(&mut sheet, &style, &panels[0], &traces, |trace| &trace.frequency);
-    draw_traces(&mut sheet, &style, &panels[1], &traces, |trace| &trace.error);
+    draw_traces(&mut sheet, &style, &panels[0], &traces, |trace| &trace.frequency, false);
+    draw_traces(&mut sheet, &style, &panels[1], &traces, |trace| &trace.error, true);
     panels[0].draw_axes(&mut sheet, &style, "", &format!("frequency [{}]", unit.name()));
     panels[1].draw_axes(&mut sheet, &style, "number of functions N", &error_name);
     foot.draw(&mut sheet, &style, left, below);
@@ -128,14 +128,12 @@ fn frequency_scale(traces: &[Trace], unit: FrequencyUnit) -> Scale {
     }
 }
 
-/// Whole decades around all errors.
+/// A little more than all errors, and a decade at least.
 fn error_scale(traces: &[Trace]) -> Scale {
     let values = traces.iter().flat_map(|trace| &trace.error).map(|point| point.1).filter(|value| *value > 0.0);
     let least = values.clone().reduce(f64::min).unwrap_or(1e-6).max(LEAST_ERROR);
-    let largest = values.reduce(f64::max).unwrap_or(1.0).max(least);
-    let decade = |exponent: f64| format!("1e{}", exponent as i32).parse().unwrap_or(1.0);
-    let (low, high) = (floor(log10(least) + 1e-9), ceil(log10(largest) - 1e-9));
-    Scale::log(decade(low), decade(f64::max(high, low + 1.0)), "")
+    let largest = values.reduce(f64::max).unwrap_or(1.0).max(8.0 * least);
+    Scale::log(least / 1.6, largest * 1.6, "")
 }
 
 /// Without ticks between whole numbers of functions.
@@ -147,12 +145,15 @@ fn whole_ticks(mut panel: Panel) -> Panel {
     panel
 }
 
+/// Draws one value of all series; what a logarithmic axis cannot show is left out or, as an error
+/// of zero is smaller than any other, stands at its foot.
 fn draw_traces<'t, 'a: 't>(
     sheet: &mut Sheet,
     style: &Style,
     panel: &Panel,
     traces: &'t [Trace<'a>],
     of: impl Fn(&'t Trace<'a>) -> &'t Vec<(f64, f64)>,
+    zero_at_foot: bool,
 ) {
     let mut ends: Vec<EndLabel> = Vec::new();
     for trace in traces {
@@ -161,8 +162,10 @@ fn draw_traces<'t, 'a: 't>(
         let bottom = panel.area.bottom;
         let points: Vec<Point> = of(trace)
             .iter()
-            // Nothing to show of an error of zero but that it is off the axis.
-            .filter_map(|&(count, value)| panel.point(count, value).or_else(|| Some((panel.x.at(count)?, bottom))))
+            .filter_map(|&(count, value)| {
+                let foot = panel.x.at(count).filter(|_| zero_at_foot).map(|x| (x, bottom));
+                panel.point(count, value).or(foot)
+            })
             .map(|(x, y)| (x, y.min(bottom)))
             .collect();
         let (class, label) = (format!("series {}", series.dof), text::clean(&series.label));
@@ -206,7 +209,7 @@ fn draw_paper_mark(sheet: &mut Sheet, style: &Style, panels: &[Panel; 2]) {
             pen.line(&[(x, panel.area.top), (x, panel.area.bottom)], palette.nominal, 1.0 * style.unit);
         }
     });
-    let name = "N = 15, the paper's";
+    let name = "N = 15, as in the paper";
     let half = 0.5 * text::width(name, style.small(), false);
     let middle = x.min(style.width - 0.5 * style.margin() - half).max(panels[0].area.left + half);
     let face = Face::new(style.small(), palette.nominal, Anchor::Middle);

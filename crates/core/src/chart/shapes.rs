@@ -19,6 +19,9 @@ use plotters::style::RGBColor;
 /// Panels stand side by side where each gets this many pixels of its row, else one below the other.
 const LEAST_SHARE: f64 = 280.0;
 
+/// A label that would cover more than a few lines is left out.
+const MOST_COVERED: f64 = 14.0;
+
 /// Draws mode shapes over the span r/R.
 pub fn shapes(report: &ShapesReport, options: &ChartOptions) -> Drawing {
     let style = Style::of(options.theme, options.width);
@@ -135,7 +138,7 @@ fn draw_panel(sheet: &mut Sheet, style: &Style, report: &ShapesReport, dof: Dof,
         let size = (text::width(&label, face.size, true) + 4.0 * style.unit, 1.1 * face.size);
         // A label may stand on its own line.
         let own = core::mem::take(&mut obstacles.lines[number].0);
-        let chosen = obstacles.choose(label_areas(line, panel, size, 3.0 * style.unit).into_iter());
+        let chosen = obstacles.choose(label_areas(line, panel, size, 3.0 * style.unit).into_iter(), MOST_COVERED);
         obstacles.lines[number].0 = own;
         let Some(area) = chosen else { continue };
         let at = (0.5 * (area.left + area.right), 0.5 * (area.top + area.bottom) + face.drop());

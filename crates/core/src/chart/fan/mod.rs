@@ -69,7 +69,8 @@ pub fn fan(chart: &FanChart, options: &ChartOptions) -> Drawing {
     let rays_room = text::width("100P", style.small(), false);
     let right = style.width - 0.6 * style.margin() - panel::leader_length(&style) - longest.fold(rays_room, f64::max);
     let head = Head::new(&style, &name, entries(chart, options, count), left);
-    let top = head.height(&style) + rays::TOP_GAP * style.unit + 2.8 * style.small();
+    let above = if range.open { rays::TOP_GAP * style.unit + 1.25 * style.small() } else { 6.0 * style.unit };
+    let top = head.height(&style) + above + 1.5 * style.small();
     let area = Area { left, top, right, bottom: top + 0.625 * (right - left) };
     let panel = Panel::new(&style, area, x, y);
 
@@ -85,7 +86,7 @@ pub fn fan(chart: &FanChart, options: &ChartOptions) -> Drawing {
     draw_band(&mut sheet, &style, chart, options.band, &panel, units);
     panel.draw_grid(&mut sheet, &style);
     rays::draw(&mut sheet, &style, &rays);
-    let nominal = draw_nominal(&mut sheet, &style, chart, &panel, units);
+    let nominal = draw_nominal(&mut sheet, &style, chart, &panel, units, area.top - above);
     for curve in &curves {
         draw_curve(&mut sheet, &style, curve);
     }
@@ -207,8 +208,15 @@ fn draw_band(sheet: &mut Sheet, style: &Style, chart: &FanChart, band: (f64, f64
     }
 }
 
-/// Draws the nominal speed and its name above the row of ray labels; returns the line.
-fn draw_nominal(sheet: &mut Sheet, style: &Style, chart: &FanChart, panel: &Panel, units: Units) -> Option<[Point; 2]> {
+/// Draws the nominal speed and, at `baseline`, its name; returns the line.
+fn draw_nominal(
+    sheet: &mut Sheet,
+    style: &Style,
+    chart: &FanChart,
+    panel: &Panel,
+    units: Units,
+    baseline: f64,
+) -> Option<[Point; 2]> {
     let area = &panel.area;
     let speed = units.speed(chart.nominal.speed_rad_s);
     let x = panel.x.at(speed).filter(|x| *x >= area.left && *x <= area.right && speed > 0.0)?;
@@ -217,7 +225,6 @@ fn draw_nominal(sheet: &mut Sheet, style: &Style, chart: &FanChart, panel: &Pane
     let half = 0.5 * text::width(&name, style.small(), false);
     let face = Face::new(style.small(), style.palette.nominal, Anchor::Middle);
     let middle = x.max(area.left + half).min(style.width - 0.5 * style.margin() - half);
-    let baseline = area.top - rays::TOP_GAP * style.unit - 1.25 * style.small();
     sheet.layer(&[("class", "nominal")], |pen| {
         pen.line(&line, style.palette.nominal, 1.0 * style.unit);
         pen.text((middle, baseline), &name, &face);

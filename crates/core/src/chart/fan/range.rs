@@ -18,6 +18,8 @@ pub(super) struct Range {
     pub from_speed: f64,
     pub to_speed: f64,
     pub top: f64,
+    /// Whether rays or branches leave through the top.
+    pub open: bool,
 }
 
 impl Range {
@@ -46,9 +48,18 @@ impl Range {
                 top = top.max(first);
             }
         }
+        // And those that would only come into view cut off.
+        for span in &spans {
+            if span.0 < 1.04 * top && span.1 > top && span.1 <= f64::max(ABOVE_REACH * reach, 1.3 * top) {
+                top = span.1;
+            }
+        }
         let top = if top > 0.0 { top } else { reach };
         // Air above the highest curve.
-        Self { from_speed, to_speed, top: 1.04 * top }
+        let top = 1.04 * top;
+        let steepest = f64::from(chart.harmonics) * to_speed;
+        let open = steepest > top || spans.iter().any(|span| span.0 < top && span.1 > top);
+        Self { from_speed, to_speed, top, open }
     }
 }
 
