@@ -24,6 +24,8 @@ mod scale;
 mod shapes;
 mod sheet;
 mod spread;
+#[cfg(test)]
+mod tests;
 mod text;
 
 pub use converge::converge;

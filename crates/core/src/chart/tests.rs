@@ -1,0 +1,362 @@
+//! Whole drawings: well-formed, complete, and no text over another.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop")]
+
+use super::line::Area;
+use super::{ChartOptions, Drawing, FrequencyUnit, Theme, converge, fan, shapes, text};
+use crate::analysis::{
+    BasisFamily, BasisReport, Branch, Coincidence, ConvergeReport, ConvergeSeries, Crossing, FanChart, FunctionCounts,
+    MeasuredPoint, Nominal, ShapeReport, ShapesReport, Southwell,
+};
+use crate::dof::Dof;
+use crate::numerics::scalar::{sin_cos, sqrt};
+use crate::units::SpeedUnit;
+use alloc::format;
+use alloc::string::{String, ToString};
+use alloc::vec;
+use alloc::vec::Vec;
+use roxmltree::{Document, Node};
+
+/// Roughly the TM 4760 blade [rad/s]: frequency at rest, and at 69.1 rad/s.
+const BRANCHES: [(Dof, f64, f64); 9] = [
+    (Dof::Flap, 0.0, 72.3),
+    (Dof::Flap, 72.4, 185.9),
+    (Dof::Flap, 228.6, 349.8),
+    (Dof::Flap, 483.0, 608.5),
+    (Dof::Lag, 9.6, 23.3),
+    (Dof::Lag, 267.8, 310.6),
+    (Dof::Lag, 810.0, 850.0),
+    (Dof::Torsion, 645.0, 645.0),
+    (Dof::Torsion, 1844.0, 1844.0),
+];
+
+fn basis() -> BasisReport {
+    let functions = FunctionCounts { flap: Some(15), lag: Some(15), torsion: Some(12) };
+    BasisReport { family: BasisFamily::Classical, functions }
+}
+
+fn label(dof: Dof, number: usize) -> String {
+    format!("{number}{}", dof.letter())
+}
+
+fn numbered<T: Copy>(list: &[(Dof, T, T)]) -> Vec<(Dof, usize, T, T)> {
+    let number = |at: usize| list[..=at].iter().filter(|entry| entry.0 == list[at].0).count();
+    list.iter().enumerate().map(|(at, &(dof, a, b))| (dof, number(at), a, b)).collect()
+}
+
+fn chart(branches: &[(Dof, f64, f64)], speeds: usize, harmonics: u32) -> FanChart {
+    let nominal = 69.1;
+    let speeds: Vec<f64> = (0..speeds).map(|at| 1.2 * nominal * at as f64 / (speeds - 1) as f64).collect();
+    let branches: Vec<Branch> = numbered(branches)
+        .into_iter()
+        .map(|(dof, number, rest, turning)| {
+            let k1 = (turning * turning - rest * rest) / (nominal * nominal);
+            let frequency_rad_s = speeds.iter().map(|speed| sqrt(rest * rest + k1 * speed * speed)).collect();
+            let southwell = Southwell { k0: rest * rest, k1 };
+            Branch { label: label(dof, number), dof, number, frequency_rad_s, southwell }
+        })
+        .collect();
+    let crossings = branches
+        .iter()
+        .flat_map(|branch| (1..=harmonics).map(move |harmonic| (branch, harmonic)))
+        .filter_map(|(branch, harmonic)| {
+            let below = f64::from(harmonic * harmonic) - branch.southwell.k1;
+            let speed_rad_s = sqrt(branch.southwell.k0 / below.max(1e-9));
+            let frequency_rad_s = f64::from(harmonic) * speed_rad_s;
+            let met = speed_rad_s > 0.0 && speed_rad_s < 1.2 * nominal;
+            met.then(|| Crossing { label: branch.label.clone(), harmonic, speed_rad_s, frequency_rad_s })
+        })
+        .collect();
+    FanChart {
+        schema: "bladefan-fan/1",
+        blade: "TM 4760 research blade".to_string(),
+        blades: Some(4),
+        harmonics,
+        basis: basis(),
+        speeds_rad_s: speeds,
+        branches,
+        crossings,
+        coincident: vec![Coincidence { label: "1F".to_string(), harmonic: 1 }],
+        nominal: Nominal { speed_rad_s: nominal, margins: Vec::new() },
+        warnings: Vec::new(),
+    }
+}
+
+fn many_branches(each: u32) -> Vec<(Dof, f64, f64)> {
+    let of = |dof: Dof, first: f64| {
+        (1..=each).map(f64::from).map(move |n| (dof, first * (n - 0.5) * (n - 0.5), first * n * n + 70.0 * n))
+    };
+    of(Dof::Flap, 11.0).chain(of(Dof::Lag, 30.0)).chain(of(Dof::Torsion, 90.0)).collect()
+}
+
+fn shape_report(modes: usize) -> ShapesReport {
+    let r_m: Vec<f64> = (0..=100).map(|at| 0.0762 + 1.3208 * f64::from(at) / 100.0).collect();
+    let shape = |dof: Dof, number: usize| {
+        let wave = |at: usize| sin_cos((number as f64 - 0.5) * core::f64::consts::PI * at as f64 / 100.0).0;
+        let sign = if number % 2 == 1 { 1.0 } else { -1.0 };
+        let displacement = (0..=100).map(|at| sign * wave(at)).collect();
+        let (slope, moment) = (Vec::new(), Vec::new());
+        ShapeReport { label: label(dof, number), dof, number, frequency_rad_s: 1.0, displacement, slope, moment }
+    };
+    let shapes = Dof::ALL.into_iter().flat_map(|dof| (1..=modes).map(move |number| shape(dof, number))).collect();
+    ShapesReport {
+        schema: "bladefan-shapes/1",
+        blade: "TM 4760 research blade".to_string(),
+        speed_rad_s: 69.1,
+        basis: basis(),
+        r_m,
+        radius_m: 1.397,
+        shapes,
+        warnings: Vec::new(),
+    }
+}
+
+fn converge_report(known: bool) -> ConvergeReport {
+    let series = numbered(&BRANCHES)
+        .into_iter()
+        .map(|(dof, number, rest, turning)| {
+            let excess = |count: usize| 0.01 / ((count * count * count) as f64) * (1.0 + rest / 500.0);
+            let value = |count: usize| (count >= number).then(|| turning * (1.0 + excess(count)));
+            let classical_rad_s = (1..=16).map(value).collect();
+            let converged_rad_s = known.then_some(turning);
+            ConvergeSeries { label: label(dof, number), dof, number, classical_rad_s, converged_rad_s }
+        })
+        .collect();
+    ConvergeReport {
+        schema: "bladefan-converge/1",
+        blade: "TM 4760 research blade".to_string(),
+        speed_rad_s: 69.1,
+        functions: (1..=16).collect(),
+        series,
+        warnings: Vec::new(),
+    }
+}
+
+fn measured() -> Vec<MeasuredPoint> {
+    let point = |label: &str, source: &str, frequency_rad_s: f64| MeasuredPoint {
+        label: label.to_string(),
+        speed_rad_s: 69.1,
+        frequency_rad_s,
+        source: source.to_string(),
+    };
+    vec![
+        point("2F", "test", 180.0),
+        point("1T", "test", 600.0),
+        point("2F", "MBDyn", 185.7),
+        point("9Z", "test", 400.0),
+    ]
+}
+
+fn number(node: &Node, name: &str) -> f64 {
+    node.attribute(name).unwrap().parse().unwrap()
+}
+
+/// The boxes of all texts, in tenths of a pixel.
+fn text_boxes(document: &Document) -> Vec<(Area, String)> {
+    let texts = document.descendants().filter(|node| node.has_tag_name("text"));
+    texts
+        .map(|node| {
+            let content = node.text().unwrap_or_default().trim().to_string();
+            let size = number(&node, "font-size");
+            let bold = node.attribute("font-weight").is_some();
+            // Without the spare room of the table: the letters themselves.
+            let width = text::width(&content, size, bold) / 1.06;
+            let (x, y) = (number(&node, "x"), number(&node, "y"));
+            assert_eq!(node.attribute("dy"), Some("0.76em"));
+            let before = match node.attribute("text-anchor") {
+                Some("middle") => 0.5 * width,
+                Some("end") => width,
+                _ => 0.0,
+            };
+            // From the top of capitals to the baseline.
+            let (high, low) = (0.05 * size, 0.76 * size);
+            let area = if node.attribute("transform").is_some() {
+                Area { left: x + high, right: x + low, top: y + before - width, bottom: y + before }
+            } else {
+                Area { left: x - before, right: x - before + width, top: y + high, bottom: y + low }
+            };
+            (area, content)
+        })
+        .collect()
+}
+
+/// Checks what holds of every drawing.
+fn check(drawing: &Drawing, what: &str) {
+    let document = Document::parse(&drawing.svg).unwrap_or_else(|error| panic!("{what}: {error}"));
+    for node in document.descendants() {
+        for attribute in node.attributes() {
+            let value = attribute.value();
+            assert!(!value.contains("NaN") && !value.contains("inf"), "{what}: {attribute:?}");
+        }
+    }
+    let root = document.root_element();
+    assert_eq!(root.attribute("viewBox").unwrap(), format!("0 0 {} {}", drawing.width, drawing.height));
+    assert!(root.children().any(|node| node.has_tag_name("title")), "{what}: no title");
+    let sheet = Area { left: 0.0, top: 0.0, right: 10.0 * drawing.width, bottom: 10.0 * drawing.height };
+    let boxes = text_boxes(&document);
+    for (at, (area, content)) in boxes.iter().enumerate() {
+        assert!(sheet.holds(area), "{what}: {content} at {area:?} leaves the sheet {sheet:?}");
+        let other = boxes[..at].iter().find(|(other, _)| other.overlaps(area));
+        assert!(other.is_none(), "{what}: {content} covers {other:?}");
+    }
+    for plot in &drawing.plots {
+        assert!(plot.width > 0.0 && plot.height > 0.0 && plot.x.from < plot.x.to && plot.y.from < plot.y.to);
+    }
+}
+
+fn groups(drawing: &Drawing, class: &str) -> Vec<String> {
+    let document = Document::parse(&drawing.svg).unwrap();
+    let of_class = |node: &Node| node.attribute("class").is_some_and(|classes| classes.split(' ').any(|c| c == class));
+    let labels = document.descendants().filter(of_class);
+    labels.map(|node| node.attribute("data-label").unwrap_or_default().to_string()).collect()
+}
+
+fn each_look(draw: impl Fn(&ChartOptions, &str)) {
+    let points = measured();
+    for width in [0, 600, 960, 1600, 8000] {
+        for (theme, frequency_unit) in Theme::ALL.into_iter().zip(FrequencyUnit::ALL) {
+            let options = ChartOptions { theme, width, frequency_unit, measured: &points, ..Default::default() };
+            draw(&options, &format!("{width} {} {}", theme.name(), frequency_unit.name()));
+        }
+    }
+}
+
+#[test]
+fn fan_charts_hold_up_in_every_look_and_size() {
+    let charts = [
+        chart(&BRANCHES, 101, 10),
+        chart(&BRANCHES[..1], 101, 10),
+        chart(&BRANCHES, 2, 10),
+        chart(&BRANCHES, 101, 100),
+        chart(&many_branches(50), 101, 10),
+        chart(&many_branches(50), 11, 100),
+        chart(&[(Dof::Flap, 0.0, 0.0), (Dof::Lag, 0.0, 0.0)], 101, 10),
+        chart(&[], 101, 10),
+    ];
+    each_look(|options, look| {
+        for (number, chart) in charts.iter().enumerate() {
+            check(&fan(chart, options), &format!("chart {number} {look}"));
+        }
+    });
+}
+
+#[test]
+fn a_fan_chart_has_every_branch_ray_and_crossing() {
+    let chart = chart(&BRANCHES, 101, 10);
+    let points = measured();
+    let drawing = fan(&chart, &ChartOptions { measured: &points, ..Default::default() });
+    let mut shown = groups(&drawing, "branch-label");
+    shown.sort();
+    assert_eq!(shown, ["1F", "1L", "1T", "2F", "2L", "3F", "3L", "4F"]);
+    assert_eq!(groups(&drawing, "branch").len(), 8);
+    assert_eq!(groups(&drawing, "ray-label").len(), 10);
+    let inside = |crossing: &&Crossing| (0.9..=1.1).contains(&(crossing.speed_rad_s / 69.1));
+    assert_eq!(groups(&drawing, "crossing").len(), chart.crossings.iter().filter(inside).count());
+    assert_eq!(groups(&drawing, "measured").len(), 4);
+    for said in ["1F lies on 1P", "above the chart: 2T", "15 flap, 15 lag, 12 torsion", "nominal 659.9 rpm"] {
+        assert!(drawing.svg.contains(said), "{said}");
+    }
+}
+
+#[test]
+fn axes_lie_where_the_drawing_says() {
+    let chart = chart(&BRANCHES, 101, 10);
+    let drawing = fan(&chart, &ChartOptions { speed_unit: SpeedUnit::RadianPerSecond, ..Default::default() });
+    let plot = &drawing.plots[0];
+    assert!(plot.x.from.abs() < 1e-12 && (plot.x.to - 1.2 * 69.1).abs() < 1e-9, "{:?}", plot.x);
+    let document = Document::parse(&drawing.svg).unwrap();
+    let circles = document.descendants().filter(|node| node.attribute("data-crossing") == Some("3F × 5P"));
+    let circle = circles.flat_map(|node| node.children()).find(|node| node.has_tag_name("circle")).unwrap();
+    let crossing = chart.crossings.iter().find(|crossing| crossing.label == "3F" && crossing.harmonic == 5).unwrap();
+    let x = plot.left + plot.width * (crossing.speed_rad_s - plot.x.from) / (plot.x.to - plot.x.from);
+    let y = plot.top + plot.height * (1.0 - crossing.frequency_rad_s / plot.y.to);
+    assert!((number(&circle, "cx") / 10.0 - x).abs() < 0.06, "{x}");
+    assert!((number(&circle, "cy") / 10.0 - y).abs() < 0.06, "{y}");
+}
+
+#[test]
+fn what_is_not_a_number_is_not_drawn() {
+    let mut chart = chart(&BRANCHES, 101, 10);
+    for (at, branch) in chart.branches.iter_mut().enumerate() {
+        branch.frequency_rad_s[10 + at] = f64::NAN;
+        branch.frequency_rad_s[60] = f64::INFINITY;
+        branch.frequency_rad_s[61] = 1e300;
+    }
+    chart.crossings.push(Crossing { label: "1F".into(), harmonic: 1, speed_rad_s: 69.0, frequency_rad_s: f64::NAN });
+    check(&fan(&chart, &ChartOptions::default()), "not finite");
+    chart.speeds_rad_s.fill(f64::NAN);
+    chart.nominal.speed_rad_s = f64::NAN;
+    check(&fan(&chart, &ChartOptions { band: (f64::NAN, f64::INFINITY), ..Default::default() }), "no speeds");
+    chart.speeds_rad_s.clear();
+    check(&fan(&chart, &ChartOptions::default()), "empty");
+    let mut report = shape_report(2);
+    report.shapes[0].displacement[3] = f64::NAN;
+    report.shapes[1].displacement.fill(f64::INFINITY);
+    report.radius_m = 0.0;
+    check(&shapes(&report, &ChartOptions::default()), "shapes");
+    let mut report = converge_report(true);
+    report.series[0].classical_rad_s.fill(Some(f64::NAN));
+    report.series[1].converged_rad_s = Some(0.0);
+    check(&converge(&report, &ChartOptions::default()), "converge");
+}
+
+#[test]
+fn hostile_names_stay_inside_their_text() {
+    let mut chart = chart(&BRANCHES, 11, 10);
+    chart.blade = "</text><script>alert(1)</script> & \u{0}\u{202E}\u{FFFF}]]>".repeat(30);
+    chart.branches[0].label = "<x>\"'&".to_string();
+    let points = [MeasuredPoint { source: "<a&b>\u{1}".repeat(50), label: "\"".into(), ..measured()[0].clone() }];
+    let drawing = fan(&chart, &ChartOptions { measured: &points, ..Default::default() });
+    check(&drawing, "hostile");
+    assert!(!drawing.svg.contains("<script"), "markup of a name came through");
+    chart.blade = String::new();
+    check(&fan(&chart, &ChartOptions::default()), "no name");
+}
+
+#[test]
+fn many_speeds_need_no_more_text() {
+    let few = fan(&chart(&BRANCHES, 101, 10), &ChartOptions::default()).svg.len();
+    let many = fan(&chart(&BRANCHES, 100_000, 10), &ChartOptions::default()).svg.len();
+    assert!(many < few + few / 4, "{few} {many}");
+}
+
+#[test]
+fn shapes_and_convergence_hold_up_in_every_look_and_size() {
+    let some = shape_report(5);
+    let one = ShapesReport { shapes: some.shapes[..1].to_vec(), ..some.clone() };
+    let none = ShapesReport { shapes: Vec::new(), ..some.clone() };
+    let (known, unknown) = (converge_report(true), converge_report(false));
+    let empty = ConvergeReport { series: Vec::new(), functions: Vec::new(), ..known.clone() };
+    each_look(|options, look| {
+        for report in [&some, &one, &none, &shape_report(50)] {
+            check(&shapes(report, options), &format!("{} shapes {look}", report.shapes.len()));
+        }
+        for report in [&known, &unknown, &empty] {
+            check(&converge(report, options), &format!("converge {look}"));
+        }
+    });
+}
+
+#[test]
+fn every_shape_is_labelled_and_its_nodes_counted() {
+    let drawing = shapes(&shape_report(5), &ChartOptions::default());
+    assert_eq!(groups(&drawing, "shape-label").len(), 15);
+    let names: Vec<&str> = drawing.plots.iter().map(|plot| plot.name).collect();
+    assert_eq!(names, ["flap", "lag", "torsion"]);
+    let document = Document::parse(&drawing.svg).unwrap();
+    let shape =
+        |node: &Node| node.attribute("class") == Some("shape flap") && node.attribute("data-label") == Some("4F");
+    let shape = document.descendants().find(shape).unwrap();
+    // Each node is a disc on a wider one of the background.
+    assert_eq!(shape.children().filter(|node| node.has_tag_name("circle")).count(), 2 * 3);
+}
+
+#[test]
+fn the_error_axis_says_what_it_is_against() {
+    let known = converge(&converge_report(true), &ChartOptions::default());
+    let unknown = converge(&converge_report(false), &ChartOptions::default());
+    assert!(known.svg.contains("relative error"), "converged frequencies are known");
+    assert!(unknown.svg.contains("change against N = 16"), "converged frequencies are not known");
+    assert!(known.plots[1].y.log && known.plots[1].y.to > 1e-3, "{:?}", known.plots[1].y);
+    assert!(known.svg.contains("N = 15, as in the paper"), "the paper's number of functions is marked");
+}
