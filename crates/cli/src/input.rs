@@ -54,7 +54,7 @@ fn find(blade: &str) -> Result<Source, Failure> {
     } else if path.is_file() {
         from_file(path)
     } else {
-        Err(not_found(blade))
+        Err(not_found(blade, "no built-in blade and no file of this name"))
     }
 }
 
@@ -89,8 +89,8 @@ fn decode(name: &str, bytes: Vec<u8>) -> Result<String, Failure> {
     })
 }
 
-/// Nothing of this name: says which built-in name may have been meant.
-pub(crate) fn not_found(blade: &str) -> Failure {
+/// Nothing of this name, as `message` says; adds which built-in name may have been meant.
+pub(crate) fn not_found(blade: &str, message: &str) -> Failure {
     let nearest = library::ENTRIES
         .iter()
         .map(|entry| (strsim::jaro_winkler(&blade.to_lowercase(), entry.name), entry.name))
@@ -102,5 +102,5 @@ pub(crate) fn not_found(blade: &str) -> Failure {
             format!("built in are {}", names.join(", "))
         }
     };
-    Failure::input(format!("{blade}: no built-in blade and no file of this name; {hint}"))
+    Failure::input(format!("{blade}: {message}; {hint}"))
 }

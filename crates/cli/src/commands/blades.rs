@@ -37,7 +37,7 @@ pub(super) fn run(args: &BladesArgs) -> Result<Output, Failure> {
 
 /// The file of one blade: TOML as it stands, with its remarks, or JSON.
 fn one(name: &str, format: Format) -> Result<String, Failure> {
-    let entry = library::find(name).ok_or_else(|| not_found(name))?;
+    let entry = library::find(name).ok_or_else(|| not_found(name, "no built-in blade of this name"))?;
     match format {
         Format::Table => Ok(entry.toml.into()),
         Format::Json => Ok(file::to_json(&input::load(name)?.file.definition)),

@@ -5,7 +5,7 @@ use crate::args::{ConvergeArgs, Format};
 use crate::failure::{Failure, warn};
 use crate::output::{self, Output};
 use crate::table::{Align, Cell, Table};
-use crate::{csv, drawing, input, json};
+use crate::{csv, drawing, input, json, progress};
 use bladefan_core::analysis::{self, ConvergeReport, Settings};
 use bladefan_core::chart;
 use bladefan_core::dof::Dof;
@@ -14,8 +14,8 @@ pub(super) fn run(args: &ConvergeArgs) -> Result<Output, Failure> {
     let settings = args.settings()?;
     let input = input::load(&args.blade.blade)?;
     output::check(&[input.path.as_ref()], &args.result, Some(&args.drawing))?;
-    let report =
-        analysis::converge(&input.file.blade, &settings).map_err(|faults| Failure::faults(&input.name, &faults))?;
+    let report = progress::with("solving", || analysis::converge(&input.file.blade, &settings));
+    let report = report.map_err(|faults| Failure::faults(&input.name, &faults))?;
     warn(&report.warnings);
     let text = match args.result.format {
         Format::Table => table(&report, &settings),

@@ -16,9 +16,6 @@ use serde::Serialize;
 
 /// Most rotor speeds of the table.
 const SPEEDS: usize = 7;
-/// From so many rotor speeds on a chart takes long enough for a sign of life.
-const MANY_SPEEDS: usize = 5000;
-
 /// The chart with the measured points beside it.
 #[derive(Serialize)]
 struct Report<'a> {
@@ -34,13 +31,11 @@ pub(super) fn run(args: &FanArgs) -> Result<Output, Failure> {
     output::check(&[input.path.as_ref(), args.measured.as_ref()], &args.result, Some(&args.drawing))?;
     let points = args.measured.as_deref().map(measured::read).transpose()?;
     let blade = &input.file.blade;
-    let count = settings.speeds_or(blade.nominal_speed()).count;
-    let solve = || analysis::fan(blade, &settings);
-    let chart = if count < MANY_SPEEDS { solve() } else { progress::with(format!("{count} rotor speeds"), solve) };
+    let chart = progress::with("solving", || analysis::fan(blade, &settings));
     let chart = chart.map_err(|faults| Failure::faults(&input.name, &faults))?;
     warn(&chart.warnings);
     let compared = match &points {
-        Some(points) => Some(measured::compare(points, &input, &settings)?),
+        Some(points) => Some(progress::with("comparing", || measured::compare(points, &input, &settings))?),
         None => None,
     };
     let text = match args.result.format {

@@ -5,15 +5,15 @@ use crate::args::{Format, ModesArgs};
 use crate::failure::{Failure, warn};
 use crate::output::{self, Output};
 use crate::table::{Align, Cell, Table};
-use crate::{csv, input, json};
+use crate::{csv, input, json, progress};
 use bladefan_core::analysis::{self, ModesReport};
 
 pub(super) fn run(args: &ModesArgs) -> Result<Output, Failure> {
     let settings = args.settings()?;
     let input = input::load(&args.blade.blade)?;
     output::check(&[input.path.as_ref()], &args.result, None)?;
-    let report =
-        analysis::modes(&input.file.blade, &settings).map_err(|faults| Failure::faults(&input.name, &faults))?;
+    let report = progress::with("solving", || analysis::modes(&input.file.blade, &settings));
+    let report = report.map_err(|faults| Failure::faults(&input.name, &faults))?;
     warn(&report.warnings);
     let text = match args.result.format {
         Format::Table => table(&report),

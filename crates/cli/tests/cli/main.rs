@@ -1,7 +1,7 @@
 //! The program as its users run it.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop")]
 
-// mod faults;
+mod faults;
 mod help;
 mod inputs;
 mod options;
