@@ -1,3 +1,10 @@
-//! What the test files of this package share.
+//! What the test files of this package share: blades described once for both the product and the
+//! independent solution, that solution, random blades, cases kept as data, and wrong blade files.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests fail by panicking")]
 
+pub mod blades;
+pub mod cases;
+pub mod exact;
 pub mod faults;
+pub mod random;
+pub mod solve;
