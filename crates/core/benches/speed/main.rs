@@ -1,0 +1,168 @@
+//! Speed of the solver, and of the paper's own algorithm on the same matrices.
+//!
+//! `cargo bench -p bladefan-core` measures everything and ends with the ratios. With
+//! `-- --chart-time` only the time of one fan chart is printed, in milliseconds.
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints, and stops on a fault")]
+
+mod march;
+
+use bladefan_core::analysis::{Settings, fan, modes};
+use bladefan_core::blade::Blade;
+use bladefan_core::dof::Dof;
+use bladefan_core::file::{Format, read};
+use bladefan_core::lagrange::{SystemMatrices, assemble, classical_functions};
+use bladefan_core::library;
+use bladefan_core::modes::solve;
+use criterion::{BenchmarkId, Criterion};
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+/// What the paper reports for one speed, all degrees of freedom, five modes each, 15 functions,
+/// "on a low-end personal computer" of 2 GHz (its Fig. 8 and the text beside it) [s].
+const REPORTED: f64 = 0.6;
+/// Modes per degree of freedom.
+const MODES: usize = 5;
+/// Assumed functions, as many as the paper calls converged.
+const FUNCTIONS: usize = 15;
+
+fn tm4760() -> Blade {
+    read(library::find("tm4760").unwrap().toml, Format::Toml).unwrap().blade
+}
+
+fn matrices(blade: &Blade, functions: usize) -> Vec<SystemMatrices> {
+    Dof::ALL.iter().map(|&dof| assemble(blade, dof, classical_functions(blade, dof, functions).as_ref())).collect()
+}
+
+/// Frequencies of all degrees of freedom at one speed by this solver.
+fn one_speed(matrices: &[SystemMatrices], speed: f64) -> Vec<f64> {
+    let of_dof = |matrices| solve(matrices, speed * speed, MODES).unwrap();
+    matrices.iter().flat_map(of_dof).map(|mode| mode.frequency).collect()
+}
+
+/// The same by the paper's algorithm.
+fn one_speed_marched(matrices: &[SystemMatrices], speed: f64) -> Vec<f64> {
+    matrices.iter().flat_map(|matrices| march::frequencies(matrices, speed, MODES)).collect()
+}
+
+/// The chart of the built-in default: 3 × 5 modes, 0 to 1.2 × nominal, 101 speeds.
+fn chart_settings() -> Settings {
+    Settings { modes: MODES, functions: FUNCTIONS, ..Settings::default() }
+}
+
+/// Median time of `runs` runs [s].
+fn median(runs: usize, mut f: impl FnMut()) -> f64 {
+    let mut times: Vec<f64> = (0..runs)
+        .map(|_| {
+            let start = Instant::now();
+            f();
+            start.elapsed().as_secs_f64()
+        })
+        .collect();
+    times.sort_by(f64::total_cmp);
+    times[runs / 2]
+}
+
+fn chart_time(blade: &Blade) -> f64 {
+    let settings = chart_settings();
+    median(51, || drop(black_box(fan(black_box(blade), &settings).unwrap())))
+}
+
+fn parts(criterion: &mut Criterion, blade: &Blade) {
+    let mut group = criterion.benchmark_group("parts");
+    let speed = blade.nominal_speed();
+    let assembled = matrices(blade, FUNCTIONS);
+    group.bench_function("assembly, 3 degrees of freedom, 15 functions", |b| {
+        b.iter(|| matrices(black_box(blade), FUNCTIONS))
+    });
+    group.bench_function("one speed from assembled matrices", |b| b.iter(|| one_speed(black_box(&assembled), speed)));
+    let settings = chart_settings();
+    group.bench_function("one speed from the parsed blade", |b| b.iter(|| modes(black_box(blade), &settings).unwrap()));
+    group.finish();
+}
+
+fn chart(criterion: &mut Criterion, blade: &Blade) {
+    let mut group = criterion.benchmark_group("fan chart, 3 x 5 modes, 101 speeds, 15 functions");
+    let settings = chart_settings();
+    group
+        .bench_function("this solver, from the parsed blade", |b| b.iter(|| fan(black_box(blade), &settings).unwrap()));
+    let assembled = matrices(blade, FUNCTIONS);
+    let speed = blade.nominal_speed();
+    group.bench_function("paper's algorithm, one of the 101 speeds", |b| {
+        b.iter(|| one_speed_marched(black_box(&assembled), speed));
+    });
+    group.finish();
+}
+
+/// The paper's Fig. 8: a complete analysis (assembly, one speed) against the number of functions.
+fn functions(criterion: &mut Criterion, blade: &Blade) {
+    let mut group = criterion.benchmark_group("Fig. 8, one speed with assembly");
+    let speed = blade.nominal_speed();
+    for count in (5..=40).step_by(5) {
+        group.bench_with_input(BenchmarkId::new("this solver", count), &count, |b, &count| {
+            b.iter(|| one_speed(&matrices(black_box(blade), count), speed));
+        });
+    }
+    group.finish();
+}
+
+fn ratios(blade: &Blade) {
+    let speed = blade.nominal_speed();
+    println!("\nRatios, all measured in this run on this machine (medians), TM 4760 at 660 rpm:");
+    println!("{:>10} {:>18} {:>18} {:>8}", "functions", "this solver [ms]", "marching [ms]", "ratio");
+    for count in (5..=40).step_by(5) {
+        let ours = median(21, || drop(black_box(one_speed(&matrices(black_box(blade), count), speed))));
+        let theirs = median(3, || drop(black_box(one_speed_marched(&matrices(black_box(blade), count), speed))));
+        println!("{count:10} {:18.3} {:18.1} {:7.0}x", 1e3 * ours, 1e3 * theirs, theirs / ours);
+    }
+    println!(
+        "One speed with assembly (as the paper's Fig. 8); marching: its det(G - w2 M), 2.5 rad/s steps, bisection to 1e-15."
+    );
+
+    let assembled = matrices(blade, FUNCTIONS);
+    let worst = one_speed(&assembled, speed)
+        .iter()
+        .zip(one_speed_marched(&assembled, speed))
+        .map(|(ours, theirs)| (ours / theirs - 1.0).abs())
+        .fold(0.0, f64::max);
+    println!("Both find the same 15 frequencies; largest relative difference {worst:.1e}.");
+
+    let chart = chart_time(blade);
+    let settings = chart_settings();
+    let speeds = settings.speeds_or(speed).speeds();
+    let start = Instant::now();
+    let assembled = matrices(blade, FUNCTIONS);
+    for &speed in &speeds {
+        black_box(one_speed_marched(&assembled, speed));
+    }
+    let marched = start.elapsed().as_secs_f64();
+    println!(
+        "Fan chart, 3 x 5 modes, 101 speeds, 15 functions: {:.2} ms; by marching {marched:.2} s: ratio {:.0}.",
+        1e3 * chart,
+        marched / chart
+    );
+    println!(
+        "For scale: the paper reports {REPORTED} s for ONE speed on a 2 GHz computer of 2013; our whole chart takes {:.2} % of that.",
+        100.0 * chart / REPORTED
+    );
+}
+
+fn main() {
+    let blade = tm4760();
+    if std::env::args().any(|argument| argument == "--chart-time") {
+        println!("{:.4}", 1e3 * chart_time(&blade));
+        return;
+    }
+    let mut criterion = Criterion::default()
+        .warm_up_time(Duration::from_millis(300))
+        .measurement_time(Duration::from_millis(1200))
+        .sample_size(20)
+        .configure_from_args();
+    parts(&mut criterion, &blade);
+    chart(&mut criterion, &blade);
+    functions(&mut criterion, &blade);
+    criterion.final_summary();
+    // `cargo test` runs each measurement once, as a test, and has no use for ratios.
+    if std::env::args().any(|argument| argument == "--bench") {
+        ratios(&blade);
+    }
+}

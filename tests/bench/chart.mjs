@@ -1,0 +1,43 @@
+// Time of one fan chart (TM 4760, 3 x 5 modes, 101 speeds, 15 functions, from the parsed blade) in
+// the package for Node, beside the native one:
+//
+//     scripts/wasm-package nodejs && node tests/bench/chart.mjs
+//
+// The native time is measured in the same run, by `cargo bench -p bladefan-core -- --chart-time`.
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { fileURLToPath } from "node:url";
+
+const root = fileURLToPath(new URL("../..", import.meta.url));
+const bladefan = createRequire(import.meta.url)(`${root}/crates/wasm/pkg-node/bladefan_wasm.js`);
+
+/** The value of a reply, or an end with its faults. */
+function value(reply) {
+  if (reply.status !== "ok") throw new Error(JSON.stringify(reply.faults));
+  return reply.value;
+}
+
+/** Median time of `runs` runs [ms]. */
+function median(runs, run) {
+  const times = Array.from({ length: runs }, () => {
+    const start = performance.now();
+    run();
+    return performance.now() - start;
+  });
+  return times.sort((a, b) => a - b)[runs >> 1];
+}
+
+const text = readFileSync(`${root}/crates/core/src/library/blades/tm4760.toml`, "utf8");
+const blade = value(bladefan.parse_blade(text, "toml"));
+const options = { modes: 5, functions: 15 };
+const chart = value(bladefan.fan(blade, options));
+if (chart.branches.length !== 15 || chart.speeds_rad_s.length !== 101) throw new Error("not the chart meant");
+
+// The engine first interprets, then compiles: measured after it has seen the code.
+median(50, () => bladefan.fan(blade, options));
+const inNode = median(101, () => bladefan.fan(blade, options));
+const bench = ["bench", "--quiet", "-p", "bladefan-core", "--bench", "speed", "--", "--chart-time"];
+const native = Number(execFileSync("cargo", bench, { cwd: root, encoding: "utf8" }).trim());
+
+console.log(`fan chart, 3 x 5 modes, 101 speeds: native ${native.toFixed(2)} ms, Node ${inNode.toFixed(2)} ms, ratio ${(inNode / native).toFixed(2)}`);
