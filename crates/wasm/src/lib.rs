@@ -1,1 +1,186 @@
-//! Bindings of bladefan for the browser and Node.
+//! Bindings of bladefan for the browser and Node: one thin export per call of core's facade.
+//!
+//! Plain objects in and out. A call answers `{status: "ok", value, warnings}` or
+//! `{status: "error", faults}`, whatever it is given; an exception means a mistake of ours.
+//! The exports' TypeScript types are in `types.ts`.
+
+mod options;
+mod reply;
+mod tree;
+
+use crate::options::Analysis;
+use crate::reply::reply;
+use bladefan_core::analysis;
+use bladefan_core::blade::Blade;
+use bladefan_core::chart::{self, FrequencyUnit};
+use bladefan_core::fault::{Fault, FaultCode};
+use bladefan_core::file::{self, BladeFile, Format};
+use bladefan_core::units::SpeedUnit;
+use bladefan_core::{VERSION, library};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = include_str!("types.ts");
+
+/// What every export gives: a tagged object, or an exception by a mistake of ours.
+type Answer = Result<JsValue, JsError>;
+
+/// Reads a blade file's text. Without a format it is JSON where the first character that is not
+/// blank is `{`, else TOML.
+#[wasm_bindgen(unchecked_return_type = "Reply<Blade>")]
+pub fn parse_blade(
+    #[wasm_bindgen(unchecked_param_type = "string")] text: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "\"toml\" | \"json\"")] format: &JsValue,
+) -> Answer {
+    reply(read_text(text, format).map(|file| (file.definition, file.blade.warnings().to_vec())))
+}
+
+/// Frequencies of every degree of freedom at one rotor speed.
+#[wasm_bindgen(unchecked_return_type = "Reply<ModesReport>")]
+pub fn modes(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "ModesOptions")] options: &JsValue,
+) -> Answer {
+    solve(blade, options::settings(options, Analysis::Modes), analysis::modes)
+}
+
+/// How far each mode is from the nearest harmonic at one rotor speed; nothing at rest.
+#[wasm_bindgen(unchecked_return_type = "Reply<Margin[]>")]
+pub fn margins(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "ModesOptions")] options: &JsValue,
+) -> Answer {
+    solve(blade, options::settings(options, Analysis::Modes), |blade, settings| {
+        analysis::modes(blade, settings).map(|report| report.margins())
+    })
+}
+
+/// Fan chart: branches over a range of rotor speeds, crossings, margins at nominal speed.
+#[wasm_bindgen(unchecked_return_type = "Reply<FanChart>")]
+pub fn fan(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "FanOptions")] options: &JsValue,
+) -> Answer {
+    solve(blade, options::settings(options, Analysis::Fan), analysis::fan)
+}
+
+/// Mode shapes along the span at one rotor speed.
+#[wasm_bindgen(unchecked_return_type = "Reply<ShapesReport>")]
+pub fn shapes(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "ShapesOptions")] options: &JsValue,
+) -> Answer {
+    solve(blade, options::settings(options, Analysis::Shapes), analysis::shapes)
+}
+
+/// Frequency against the number of assumed functions at one rotor speed.
+#[wasm_bindgen(unchecked_return_type = "Reply<ConvergeReport>")]
+pub fn converge(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "ConvergeOptions")] options: &JsValue,
+) -> Answer {
+    solve(blade, options::settings(options, Analysis::Converge), analysis::converge)
+}
+
+/// Mass, inertia and static moments of a blade.
+#[wasm_bindgen(unchecked_return_type = "Reply<BladeSummary>")]
+pub fn check(#[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue) -> Answer {
+    solve(blade, Ok(()), |blade, ()| Ok(analysis::summary(blade)))
+}
+
+/// Draws a chart: its SVG text, size and plot areas.
+#[wasm_bindgen(unchecked_return_type = "Reply<Drawing>")]
+pub fn chart_svg(
+    #[wasm_bindgen(unchecked_param_type = "ChartKind")] kind: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "ChartOptions")] options: &JsValue,
+) -> Answer {
+    let Some(analysis) = kind.as_string().and_then(|name| Analysis::of_chart(&name)) else {
+        let rule = "must be fan, shapes or converge";
+        return reply::<()>(Err(vec![Fault::new(FaultCode::UnknownChoice, "kind", kind.as_string(), rule, rule)]));
+    };
+    solve(blade, options::settings_and_looks(options, analysis), |blade, (settings, looks)| {
+        let looks = looks.chart_options(settings);
+        Ok(match analysis {
+            Analysis::Shapes => chart::shapes(&analysis::shapes(blade, settings)?, &looks),
+            Analysis::Converge => chart::converge(&analysis::converge(blade, settings)?, &looks),
+            _ => chart::fan(&analysis::fan(blade, settings)?, &looks),
+        })
+    })
+}
+
+/// Reads measured points (CSV with the columns label, speed, frequency, source).
+#[wasm_bindgen(unchecked_return_type = "Reply<MeasuredPoint[]>")]
+pub fn measured(#[wasm_bindgen(unchecked_param_type = "string")] text: &JsValue) -> Answer {
+    reply(string(text, "text").and_then(|text| file::measured::read(&text)).map(|points| (points, Vec::new())))
+}
+
+/// The built-in blades with the text of their files.
+#[wasm_bindgen(unchecked_return_type = "Reply<BuiltInBlade[]>")]
+pub fn built_in_blades() -> Answer {
+    reply(Ok((library::ENTRIES, Vec::new())))
+}
+
+/// What a page says about the program: its version, its model, the units it knows.
+#[wasm_bindgen(unchecked_return_type = "Reply<About>")]
+pub fn about() -> Answer {
+    #[derive(Serialize)]
+    struct Unit {
+        name: &'static str,
+        rad_s: f64,
+    }
+    #[derive(Serialize)]
+    struct About {
+        version: &'static str,
+        model: &'static str,
+        speed_units: Vec<Unit>,
+        frequency_units: Vec<&'static str>,
+    }
+    let about = About {
+        version: VERSION,
+        model: analysis::MODEL,
+        speed_units: SpeedUnit::ALL.iter().map(|unit| Unit { name: unit.name(), rad_s: unit.si() }).collect(),
+        frequency_units: FrequencyUnit::ALL.iter().map(|unit| unit.name()).collect(),
+    };
+    reply(Ok((about, Vec::new())))
+}
+
+/// Version of this program.
+#[wasm_bindgen]
+pub fn version() -> String {
+    VERSION.into()
+}
+
+/// Solves with a blade and settings that may both be faulty: all faults at once.
+fn solve<S, R: Serialize>(
+    blade: &JsValue,
+    settings: Result<S, Vec<Fault>>,
+    solve: impl FnOnce(&Blade, &S) -> Result<R, Vec<Fault>>,
+) -> Answer {
+    let blade = tree::tree(blade).map_err(|fault| vec![fault]).and_then(|tree| file::read_tree(&tree));
+    reply(match (blade, settings) {
+        (Ok(BladeFile { blade, .. }), Ok(settings)) => {
+            solve(&blade, &settings).map(|result| (result, blade.warnings().to_vec()))
+        }
+        (blade, settings) => Err([blade.err(), settings.err()].into_iter().flatten().flatten().collect()),
+    })
+}
+
+fn read_text(text: &JsValue, format: &JsValue) -> Result<BladeFile, Vec<Fault>> {
+    let text = string(text, "text")?;
+    let format = match format.as_string().as_deref() {
+        Some("toml") => Format::Toml,
+        Some("json") => Format::Json,
+        None if format.is_undefined() || format.is_null() => Format::of_text(&text),
+        other => {
+            let rule = "must be toml or json";
+            return Err(vec![Fault::new(FaultCode::UnknownChoice, "format", other.map(String::from), rule, rule)]);
+        }
+    };
+    file::read(&text, format)
+}
+
+fn string(value: &JsValue, name: &str) -> Result<String, Vec<Fault>> {
+    value.as_string().ok_or_else(|| vec![tree::fault(name, "must be text")])
+}

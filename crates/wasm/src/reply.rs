@@ -1,0 +1,27 @@
+//! Results as JavaScript objects.
+
+use bladefan_core::fault::{Fault, Warning};
+use serde::Serialize;
+use serde_wasm_bindgen::Serializer;
+use wasm_bindgen::{JsError, JsValue};
+
+/// A result or all faults, told apart by `status`.
+#[derive(Debug, Serialize)]
+#[serde(tag = "status", rename_all = "lowercase")]
+enum Reply<T> {
+    Ok { value: T, warnings: Vec<Warning> },
+    Error { faults: Vec<Fault> },
+}
+
+/// The tagged object of a result.
+///
+/// # Errors
+/// Only by a mistake of ours: a result that cannot be written as an object.
+pub(crate) fn reply<T: Serialize>(result: Result<(T, Vec<Warning>), Vec<Fault>>) -> Result<JsValue, JsError> {
+    let reply = match result {
+        Ok((value, warnings)) => Reply::Ok { value, warnings },
+        Err(faults) => Reply::Error { faults },
+    };
+    // As JSON would have it: objects, not maps; null, not undefined.
+    reply.serialize(&Serializer::json_compatible()).map_err(JsError::from)
+}

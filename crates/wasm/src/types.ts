@@ -1,0 +1,242 @@
+/** A result, or everything that is wrong with the input. Calls do not throw. */
+export type Reply<T> =
+  | { status: "ok"; value: T; warnings: Warning[] }
+  | { status: "error"; faults: Fault[] };
+
+/** One thing wrong with an input. */
+export interface Fault {
+  /** Stable kind, e.g. "out-of-range". */
+  code: string;
+  /** Path in the blade file (`distribution.mass[3]`) or name of an option; empty for the whole text. */
+  path: string;
+  /** The value as given. */
+  value: string | null;
+  /** The rule that it breaks. */
+  rule: string;
+  /** One line for a person, without the path. */
+  message: string;
+  /** From 1; null where the input was no text. */
+  line: number | null;
+  /** In characters, from 1. */
+  column: number | null;
+}
+
+/** Something in a legal blade that does not act as its author may expect. */
+export interface Warning {
+  path: string;
+  message: string;
+}
+
+export type Dof = "flap" | "lag" | "torsion";
+export type ChartKind = "fan" | "shapes" | "converge";
+
+/** A property along the span: one number, a list on `distribution.r`, or values on radii of its own. */
+export type Property = number | number[] | { r: number[]; values: number[] };
+
+/** A blade as `parse_blade` returns it: the keys and units of the blade file. */
+export interface Blade {
+  schema: "bladefan-blade/1";
+  name?: string;
+  notes?: string;
+  source?: { citation?: string; quality?: "published" | "estimated" | "example" };
+  units?: { length?: string; mass?: string; force?: string; angle?: string; speed?: string };
+  rotor: { radius: number; nominal_speed: number; blades?: number };
+  flap: BladeRoot<"hingeless" | "hinged" | "spring-hinged">;
+  lag: BladeRoot<"hingeless" | "hinged" | "spring-hinged">;
+  torsion: BladeRoot<"rigid" | "spring">;
+  distribution: {
+    r?: number[];
+    mass: Property;
+    flap_stiffness: Property;
+    lag_stiffness: Property;
+    torsion_stiffness: Property;
+    polar_inertia: Property;
+    mass_offset?: Property;
+    twist?: Property;
+  };
+}
+export interface BladeRoot<Kind> {
+  root: Kind;
+  offset?: number;
+  offset_ratio?: number;
+  spring?: number;
+}
+
+/** A rotor speed: a number in rad/s, or text with a unit ("660rpm", "11Hz", "69.1rad/s"). */
+export type Speed = number | string;
+
+/** Options have the names of the command line, with `_` for `-`; null and undefined are not given. */
+export interface SolverOptions {
+  modes?: number | string | null;
+  dof?: Dof[] | string | null;
+  basis?: "classical" | null;
+}
+export interface ModesOptions extends SolverOptions {
+  speed?: Speed | null;
+  functions?: number | string | null;
+}
+export interface FanOptions extends SolverOptions {
+  /** `[from, to, count]` or "FROM:TO:COUNT". */
+  speeds?: [Speed, Speed, number] | string | null;
+  functions?: number | string | null;
+  harmonics?: number | string | null;
+  /** `[from, to]` or "FROM:TO", as ratios of nominal speed. */
+  band?: [number, number] | string | null;
+}
+export interface ShapesOptions extends ModesOptions {
+  points?: number | string | null;
+  normalise?: "max" | "mass" | null;
+}
+export interface ConvergeOptions extends SolverOptions {
+  speed?: Speed | null;
+  up_to?: number | string | null;
+}
+/** Options of a drawing, beside those of its analysis. */
+export interface Looks {
+  theme?: "light" | "dark" | null;
+  /** In pixels; the height follows. */
+  width?: number | null;
+  speed_unit?: "rad/s" | "rpm" | "Hz" | null;
+  frequency_unit?: "rad/s" | "Hz" | null;
+}
+/** `measured` is CSV text as `measured()` reads it. */
+export type ChartOptions = Looks & ((FanOptions & { measured?: string | null }) | ShapesOptions | ConvergeOptions);
+
+/** Numbers of assumed functions; null for a degree of freedom that was not asked for. */
+export interface Basis {
+  family: "classical";
+  functions: { flap: number | null; lag: number | null; torsion: number | null };
+}
+
+export interface ModesReport {
+  schema: "bladefan-modes/1";
+  blade: string;
+  speed_rad_s: number;
+  basis: Basis;
+  /** In the order flap, lag, torsion, ascending within each. */
+  modes: Mode[];
+  warnings: Warning[];
+}
+export interface Mode {
+  /** "1F", "2F", "1L", "1T", … */
+  label: string;
+  dof: Dof;
+  number: number;
+  frequency_rad_s: number;
+  frequency_hz: number;
+  /** Null at rest. */
+  per_rev: number | null;
+  lower_rad_s: number | null;
+  upper_rad_s: number | null;
+  classical_rad_s: number | null;
+  residual: number;
+}
+
+export interface FanChart {
+  schema: "bladefan-fan/1";
+  blade: string;
+  blades: number | null;
+  harmonics: number;
+  basis: Basis;
+  speeds_rad_s: number[];
+  branches: { label: string; dof: Dof; number: number; frequency_rad_s: number[]; southwell: { k0: number; k1: number } }[];
+  crossings: { label: string; harmonic: number; speed_rad_s: number; frequency_rad_s: number }[];
+  /** Branches that lie on a ray at every speed. */
+  coincident: { label: string; harmonic: number }[];
+  nominal: { speed_rad_s: number; margins: Margin[] };
+  warnings: Warning[];
+}
+export interface Margin {
+  label: string;
+  per_rev: number;
+  nearest_harmonic: number;
+  /** `per_rev` less `nearest_harmonic`. */
+  margin_per_rev: number;
+}
+
+export interface ShapesReport {
+  schema: "bladefan-shapes/1";
+  blade: string;
+  speed_rad_s: number;
+  basis: Basis;
+  r_m: number[];
+  radius_m: number;
+  shapes: { label: string; dof: Dof; number: number; frequency_rad_s: number; displacement: number[]; slope: number[]; moment: number[] }[];
+  warnings: Warning[];
+}
+
+export interface ConvergeReport {
+  schema: "bladefan-converge/1";
+  blade: string;
+  speed_rad_s: number;
+  functions: number[];
+  series: { label: string; dof: Dof; number: number; classical_rad_s: (number | null)[]; converged_rad_s: number | null }[];
+  warnings: Warning[];
+}
+
+export interface BladeSummary {
+  schema: "bladefan-check/1";
+  blade: string;
+  radius_m: number;
+  nominal_speed_rad_s: number;
+  blades: number | null;
+  stations: number;
+  dofs: {
+    dof: Dof;
+    root: string;
+    offset_m: number;
+    spring_n_m: number | null;
+    mass_kg: number;
+    static_moment_kg_m: number | null;
+    inertia_kg_m2: number;
+  }[];
+  warnings: Warning[];
+}
+
+export interface Drawing {
+  svg: string;
+  width: number;
+  height: number;
+  plots: PlotArea[];
+}
+/** Where a frame stands in its drawing, in units of the viewBox, y downwards. */
+export interface PlotArea {
+  name: string;
+  left: number;
+  top: number;
+  width: number;
+  height: number;
+  x: Axis;
+  y: Axis;
+}
+export interface Axis {
+  from: number;
+  to: number;
+  unit: string;
+  log: boolean;
+}
+
+export interface MeasuredPoint {
+  label: string;
+  speed_rad_s: number;
+  frequency_rad_s: number;
+  source: string;
+}
+
+export interface BuiltInBlade {
+  name: string;
+  title: string;
+  quality: "published" | "estimated" | "example";
+  citation: string;
+  /** The blade file. */
+  toml: string;
+}
+
+export interface About {
+  version: string;
+  /** What the model is, in one line. */
+  model: string;
+  /** Each with how many rad/s it is. */
+  speed_units: { name: string; rad_s: number }[];
+  frequency_units: string[];
+}
