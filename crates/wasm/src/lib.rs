@@ -4,6 +4,8 @@
 //! `{status: "error", faults}`, whatever it is given; an exception means a mistake of ours.
 //! The exports' TypeScript types are in `types.ts`.
 
+#![allow(clippy::missing_errors_doc, reason = "the same for every export, and said above")]
+
 mod options;
 mod reply;
 mod tree;
@@ -52,7 +54,7 @@ pub fn margins(
     #[wasm_bindgen(unchecked_optional_param_type = "ModesOptions")] options: &JsValue,
 ) -> Answer {
     solve(blade, options::settings(options, Analysis::Modes), |blade, settings| {
-        analysis::modes(blade, settings).map(|report| report.margins())
+        Ok(analysis::margins(&analysis::modes(blade, settings)?))
     })
 }
 
@@ -119,7 +121,20 @@ pub fn measured(#[wasm_bindgen(unchecked_param_type = "string")] text: &JsValue)
 /// The built-in blades with the text of their files.
 #[wasm_bindgen(unchecked_return_type = "Reply<BuiltInBlade[]>")]
 pub fn built_in_blades() -> Answer {
-    reply(Ok((library::ENTRIES, Vec::new())))
+    #[derive(Serialize)]
+    struct BuiltIn {
+        name: &'static str,
+        title: Option<String>,
+        quality: Option<String>,
+        citation: Option<String>,
+        toml: &'static str,
+    }
+    let listed = library::ENTRIES.iter().map(|&library::Entry { name, toml }| {
+        let definition = file::read(toml, Format::Toml)?.definition;
+        let source = definition.source.unwrap_or_default();
+        Ok(BuiltIn { name, title: definition.name, quality: source.quality, citation: source.citation, toml })
+    });
+    reply(listed.collect::<Result<Vec<_>, Vec<Fault>>>().map(|blades| (blades, Vec::new())))
 }
 
 /// What a page says about the program: its version, its model, the units it knows.

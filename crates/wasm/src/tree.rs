@@ -63,9 +63,7 @@ pub(crate) fn elements(value: &JsValue, path: &str) -> Result<Option<Vec<JsValue
 /// # Errors
 /// What is not text, a number, a truth value, a list or an object; too deep, too much.
 pub(crate) fn tree(value: &JsValue) -> Result<Tree, Fault> {
-    if !value.is_object() {
-        return Err(not_an_object("blade"));
-    }
+    entries(value, "blade")?; // a plain object, and one that can be read
     Walk { left: MOST_VALUES }.tree(value, "", 0)
 }
 

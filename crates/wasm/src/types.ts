@@ -225,9 +225,9 @@ export interface MeasuredPoint {
 
 export interface BuiltInBlade {
   name: string;
-  title: string;
-  quality: "published" | "estimated" | "example";
-  citation: string;
+  title: string | null;
+  quality: "published" | "estimated" | "example" | null;
+  citation: string | null;
   /** The blade file. */
   toml: string;
 }

@@ -62,6 +62,11 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Vec<Faul
     Ok(report)
 }
 
+/// How far each mode is from the nearest harmonic, as at nominal speed in a fan chart; nothing at rest.
+pub fn margins(report: &ModesReport) -> Vec<Margin> {
+    report.modes.iter().filter_map(|mode| Some(margin(mode.label.clone(), mode.per_rev?))).collect()
+}
+
 /// Fan chart: branches over a range of speeds, crossings with the nP rays, margins at nominal
 /// speed, Southwell coefficients.
 ///

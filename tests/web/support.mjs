@@ -1,0 +1,94 @@
+// What the page's tests share: the server, the browser, and a page that is watched.
+
+import assert from "node:assert/strict";
+import { existsSync } from "node:fs";
+import { chromium } from "playwright-core";
+import { serve } from "../../scripts/serve.mjs";
+
+const candidates = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/google-chrome", "/usr/bin/chromium-browser"];
+const executablePath = candidates.find((path) => path && existsSync(path));
+const flags = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+
+/** Starts server and browser; `close` ends both. */
+export async function start() {
+  assert.ok(executablePath, "no Chromium found; CHROMIUM names one");
+  const server = await serve(0);
+  const browser = await chromium.launch({ executablePath, args: flags });
+  const origin = `http://127.0.0.1:${server.address().port}`;
+  return {
+    origin,
+    browser,
+    async close() {
+      await browser.close();
+      server.close();
+    },
+  };
+}
+
+/**
+ * Opens the page and waits for its first chart. What the console says, what fails and what is
+ * asked of another host is kept in `complaints`, which every test expects to stay empty.
+ */
+export async function open({ browser, origin }, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  const complaints = [];
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) complaints.push(`console: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => complaints.push(`error: ${error.message}`));
+  page.on("request", (request) => {
+    const url = request.url();
+    if (!url.startsWith(`${origin}/`) && !url.startsWith(`blob:${origin}/`)) complaints.push(`request: ${url}`);
+  });
+  page.on("response", (response) => {
+    if (response.status() >= 400) complaints.push(`status ${response.status()}: ${response.url()}`);
+  });
+  await page.goto(`${origin}/`);
+  await drawn(page);
+  return { page, complaints, close: () => context.close() };
+}
+
+/** Waits until the chart, the table and the slider are there. */
+export async function drawn(page) {
+  await page.locator("#chart > svg:not(.overlay)").waitFor();
+  await page.locator("#modes tbody tr").first().waitFor();
+  await page.locator("#speed-slider:enabled").waitFor();
+}
+
+/** Puts a text into the editor as a user who pastes it. */
+export async function paste(page, text) {
+  await page.locator("#blade-text").fill(text);
+}
+
+/** The table's rows as texts. */
+export function rows(page) {
+  return page.locator("#modes tbody tr").evaluateAll((all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
+}
+
+/** Full-precision frequencies of the table in rad/s, by label. */
+export function frequencies(page) {
+  return page
+    .locator("#modes tbody tr")
+    .evaluateAll((all) => Object.fromEntries(all.map((row) => [row.cells[0].textContent, Number(row.cells[1].dataset.full)])));
+}
+
+/** Runs an export of the wasm package in the page's own thread, as the independent second way. */
+export function call(page, name, ...args) {
+  return page.evaluate(
+    async ([name, args]) => {
+      const bladefan = await import("./pkg/bladefan_wasm.js");
+      await bladefan.default();
+      return bladefan[name](...args);
+    },
+    [name, args],
+  );
+}
+
+/** Clicks something that starts a download and gives its name and text. */
+export async function downloaded(page, click) {
+  const [file] = await Promise.all([page.waitForEvent("download"), click()]);
+  const chunks = [];
+  for await (const chunk of await file.createReadStream()) chunks.push(chunk);
+  return { name: file.suggestedFilename(), bytes: Buffer.concat(chunks) };
+}
