@@ -208,7 +208,7 @@ function showSpeed(state) {
 }
 
 function showNumbers(state) {
-  const { modes, fan } = state;
+  const { modes } = state;
   if (modes === null) return;
   const speed = `${fieldNumber(shownSpeed(state))} ${state.speedUnit}`;
   at("numbers-title").textContent = `Frequencies at ${speed}${state.speed === null ? ", nominal" : ""}`;
@@ -216,7 +216,7 @@ function showNumbers(state) {
   at("closest").textContent = closestWords(state.margins, speed);
   const counts = Object.values(modes.basis.functions).filter((count) => count !== null);
   at("model").textContent = `${modes.basis.family} functions, N = ${[...new Set(counts)].join(", ")}; ${state.about.model}`;
-  document.title = `${fan?.blade ?? modes.blade} – bladefan`;
+  document.title = `${modes.blade} – bladefan`;
 }
 
 function markSpeed({ drawing, modes, speedUnit, frequencyUnit }) {
@@ -274,7 +274,10 @@ store.subscribe((state, changed) => {
   if (any("library", "choice")) showSource(state);
   if (any("solveFaults")) showSolveFaults(state);
   if (state.about === null) return;
-  if (any("drawing")) chart.show(state.drawing, `${TITLES[state.drawing.kind]} of ${state.modes?.blade ?? "the blade"}`, state.drawing.kind === "fan");
+  if (any("drawing")) {
+    const { kind, name } = state.drawing;
+    chart.show(state.drawing, `${TITLES[kind]} of ${name}`, kind === "fan");
+  }
   if (any("fan", "modes", "speed", "speedUnit")) showSpeed(state);
   if (any("modes", "fan", "speedUnit")) showNumbers(state);
   if (any("drawing", "modes")) markSpeed(state);

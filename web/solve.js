@@ -45,10 +45,11 @@ export function startSolving(store, client) {
 
   async function draw(state) {
     const kind = state.tab;
+    const name = state.blade.name;
     const { theme, width, speedUnit: speed_unit, frequencyUnit: frequency_unit } = state;
     const options = { ...optionsOf(kind, state), theme, width, speed_unit, frequency_unit };
     const result = await client.call("draw", "chart_svg", kind, state.blade, options);
-    take("draw", result, (value) => ({ drawing: { kind, ...value } }));
+    take("draw", result, (value) => ({ drawing: { kind, name, ...value } }));
   }
 
   store.subscribe((state, changed) => {
