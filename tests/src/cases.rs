@@ -1,12 +1,12 @@
 //! Cases kept as data under `tests/cases`: source, values, tolerance and why.
 
 use crate::blades::built_in;
+use alloc::collections::BTreeMap;
 use bladefan_core::analysis::{ModeReport, Settings, modes};
 use bladefan_core::blade::Blade;
 use bladefan_core::units::{RAD_S_PER_RPM, hz};
+use core::fmt::Write as _;
 use serde::Deserialize;
-use std::collections::BTreeMap;
-use std::fmt::Write as _;
 
 /// Frequencies of one blade from one source.
 #[derive(Clone, Debug, Deserialize)]

@@ -219,13 +219,13 @@ impl Exact {
             let [a, b] = &mut states;
             let dot = |x: &[f64; 4], y: &[f64; 4]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
             let size = dot(a, a).sqrt();
-            a.iter_mut().for_each(|v| *v /= size);
+            *a = a.map(|v| v / size);
             for _ in 0..2 {
                 let along = dot(a, b);
                 b.iter_mut().zip(a.iter()).for_each(|(v, u)| *v -= along * u);
             }
             let size = dot(b, b).sqrt();
-            b.iter_mut().for_each(|v| *v /= size);
+            *b = b.map(|v| v / size);
         }
         let condition = |s: &[f64; 4]| match self.root.hold {
             Hold::Clamped => s[1],

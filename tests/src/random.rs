@@ -9,6 +9,12 @@ use proptest::prelude::*;
 /// integrated piece by piece.
 pub const GRID: usize = 200;
 
+/// The grid step at radius `r`, which is a multiple of `radius` / [`GRID`].
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to GRID")]
+pub fn step_at(r: f64, radius: f64) -> usize {
+    (r / radius * GRID as f64).round() as usize
+}
+
 /// Pieces of a property: where each begins (in grid steps) and its values at both ends, as powers
 /// of ten; `None` is a stretch without inertia.
 type Pieces = Vec<(usize, Option<(f64, f64)>)>;

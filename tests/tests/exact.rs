@@ -1,6 +1,6 @@
 //! The product against the independent solution of [`bladefan_tests::exact`], which integrates the
 //! differential equations and knows no assumed functions: Ritz values lie above and close in.
-#![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 #![allow(clippy::print_stdout, reason = "the comparison is worth reading when it holds, too")]
 
 use bladefan_core::dof::Dof;

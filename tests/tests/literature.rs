@@ -1,7 +1,7 @@
 //! Blades of other people's reports and programs. Values, tolerances and their reasons stand in
 //! `tests/cases`; `cargo test -p bladefan-tests --test literature -- --nocapture` prints them
 //! beside ours.
-#![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 #![allow(clippy::print_stdout, reason = "the comparison is worth reading when it holds, too")]
 
 use bladefan_core::dof::Dof;

@@ -1,5 +1,5 @@
 //! What must hold for every blade, tried on random ones.
-#![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
 use bladefan_core::analysis::{Settings, SpeedRange, converge, fan, shapes};
 use bladefan_core::blade::{BladeDefinition, PropertyDefinition, check};
@@ -7,7 +7,7 @@ use bladefan_core::dof::Dof;
 use bladefan_core::modes::ShapeScale;
 use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit, Units};
 use bladefan_tests::blades::{End, Hold, Table, TestBlade};
-use bladefan_tests::random::{GRID, blade, cases, dof};
+use bladefan_tests::random::{GRID, blade, cases, dof, step_at};
 use bladefan_tests::solve::{frequencies, settings, solve};
 use proptest::prelude::*;
 
@@ -109,7 +109,7 @@ proptest! {
         // One root radius for all, so that the samples fall on the grid of the stations.
         let offset = blade.roots[dof.index()].offset;
         blade.roots.iter_mut().for_each(|root| root.offset = offset);
-        let first = (offset / blade.radius * GRID as f64).round() as usize;
+        let first = step_at(offset, blade.radius);
         let settings = Settings {
             points: (GRID - first) * FINE + 1,
             normalise: ShapeScale::Mass,
@@ -235,7 +235,7 @@ const FINE: usize = 20;
 
 /// The property at sample `k` of a grid cell, inside the cell's limits.
 fn within(table: &Table, radius: f64, cell: usize, k: usize) -> f64 {
-    let at = |i: usize| (table.r[i] / radius * GRID as f64).round() as usize;
+    let at = |i: usize| step_at(table.r[i], radius);
     let piece = (0..table.r.len() - 1).find(|&i| at(i) <= cell && cell < at(i + 1)).unwrap();
     let x = (cell as f64 + k as f64 / FINE as f64 - at(piece) as f64) / (at(piece + 1) - at(piece)) as f64;
     table.y[piece] + (table.y[piece + 1] - table.y[piece]) * x
@@ -268,11 +268,11 @@ fn in_inches(blade: &TestBlade) -> BladeDefinition {
     let length = |value: f64| value / inch;
     let property = |property: &mut Option<PropertyDefinition>, unit: f64| match property {
         Some(PropertyDefinition::Uniform(value)) => *value /= unit,
-        Some(PropertyDefinition::OnStations(values)) => values.iter_mut().for_each(|value| *value /= unit),
         Some(PropertyDefinition::OwnRadii { r, values }) => {
-            r.iter_mut().for_each(|value| *value /= inch);
-            values.iter_mut().for_each(|value| *value /= unit);
+            *r = r.iter().map(|r| r / inch).collect();
+            *values = values.iter().map(|value| value / unit).collect();
         }
+        Some(PropertyDefinition::OnStations(_)) => unreachable!("test blades have radii of their own"),
         None => {}
     };
     let mut definition = blade.definition();
