@@ -4,7 +4,10 @@
 use crate::failure::Failure;
 use crate::help;
 use bladefan_core::analysis::Settings;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use bladefan_core::chart::{ChartOptions, FrequencyUnit, Theme};
+use bladefan_core::units::SpeedUnit;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
 /// Natural frequencies, mode shapes and fan charts of rotating blades: flap, lag and torsion, each on
@@ -47,11 +50,17 @@ pub(crate) enum Format {
     Csv,
 }
 
-/// Colours of a drawing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ThemeName {
-    Light,
-    Dark,
+/// The group of options that make a drawing.
+const PICTURE: &str = "picture";
+
+/// A word that the core knows, out of the words it lists.
+fn word<T: Copy + Send + Sync + 'static>(
+    all: &[T],
+    name: fn(T) -> &'static str,
+    from_name: fn(&str) -> Option<T>,
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(all.iter().map(|choice| name(*choice)))
+        .try_map(move |text| from_name(&text).ok_or("must be one of the words above"))
 }
 
 #[derive(Debug, Args)]
@@ -71,20 +80,49 @@ pub(crate) struct ResultArgs {
     pub(crate) output: Option<PathBuf>,
 }
 
+/// Options that make drawings, and options of drawings, which need one.
 #[derive(Debug, Args)]
+#[command(group = ArgGroup::new(PICTURE).multiple(true))]
 pub(crate) struct DrawingArgs {
     /// Also draw to FILE as SVG
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", group = PICTURE)]
     pub(crate) svg: Option<PathBuf>,
-    /// Also draw to FILE as PNG, two pixels per unit of the SVG
-    #[arg(long, value_name = "FILE")]
+    /// Also draw to FILE as PNG, at twice the width (Latin, Greek and Cyrillic letters)
+    #[arg(long, value_name = "FILE", group = PICTURE)]
     pub(crate) png: Option<PathBuf>,
     /// Colours of the drawing
-    #[arg(long, value_enum, default_value_t = ThemeName::Light)]
-    pub(crate) theme: ThemeName,
+    #[arg(
+        long,
+        requires = PICTURE,
+        value_parser = word(&Theme::ALL, Theme::name, Theme::from_name),
+        default_value = Theme::default().name()
+    )]
+    pub(crate) theme: Theme,
     /// Width of the drawing in pixels [default: 960]
-    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(320..=8000))]
+    #[arg(long, value_name = "PIXELS", requires = PICTURE, value_parser = clap::value_parser!(u32).range(320..=8000))]
     pub(crate) width: Option<u32>,
+    /// Unit of rotor speeds in the drawing
+    #[arg(
+        long,
+        requires = PICTURE,
+        value_name = "UNIT",
+        value_parser = word(SpeedUnit::ALL, SpeedUnit::name, SpeedUnit::from_name),
+        default_value = ChartOptions::default().speed_unit.name()
+    )]
+    pub(crate) speed_unit: SpeedUnit,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct FrequencyUnitArg {
+    /// Unit of frequencies in the drawing
+    #[arg(
+        long,
+        requires = PICTURE,
+        value_name = "UNIT",
+        value_parser = word(&FrequencyUnit::ALL, FrequencyUnit::name, FrequencyUnit::from_name),
+        default_value = FrequencyUnit::default().name()
+    )]
+    pub(crate) frequency_unit: FrequencyUnit,
 }
 
 #[derive(Debug, Args)]
@@ -152,6 +190,8 @@ pub(crate) struct FanArgs {
     pub(crate) result: ResultArgs,
     #[command(flatten)]
     pub(crate) drawing: DrawingArgs,
+    #[command(flatten)]
+    pub(crate) frequency: FrequencyUnitArg,
 }
 
 #[derive(Debug, Args)]
@@ -191,6 +231,8 @@ pub(crate) struct ConvergeArgs {
     pub(crate) result: ResultArgs,
     #[command(flatten)]
     pub(crate) drawing: DrawingArgs,
+    #[command(flatten)]
+    pub(crate) frequency: FrequencyUnitArg,
 }
 
 #[derive(Debug, Args)]

@@ -1,8 +1,8 @@
 //! Drawings as pixels, by resvg with fonts of our own: a bare machine has none.
 
-use crate::args::{DrawingArgs, ThemeName};
+use crate::args::DrawingArgs;
 use crate::failure::Failure;
-use bladefan_core::chart::{ChartOptions, Theme};
+use bladefan_core::chart::ChartOptions;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 
@@ -18,10 +18,8 @@ const FAMILY: &str = "Arimo";
 pub(crate) fn options<'a>(args: &DrawingArgs) -> ChartOptions<'a> {
     let defaults = ChartOptions::default();
     ChartOptions {
-        theme: match args.theme {
-            ThemeName::Light => Theme::Light,
-            ThemeName::Dark => Theme::Dark,
-        },
+        theme: args.theme,
+        speed_unit: args.speed_unit,
         width: args.width.unwrap_or(defaults.width),
         ..defaults
     }

@@ -7,7 +7,7 @@ use crate::output::{self, Output};
 use crate::table::{Align, Cell, Table};
 use crate::{csv, drawing, input, json, progress};
 use bladefan_core::analysis::{self, ConvergeReport, Settings};
-use bladefan_core::chart;
+use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::dof::Dof;
 
 pub(super) fn run(args: &ConvergeArgs) -> Result<Output, Failure> {
@@ -22,7 +22,10 @@ pub(super) fn run(args: &ConvergeArgs) -> Result<Output, Failure> {
         Format::Json => json::line(&report)?,
         Format::Csv => csv::converge(&report)?,
     };
-    let draw = || chart::converge(&report, &drawing::options(&args.drawing));
+    let draw = || {
+        let frequency_unit = args.frequency.frequency_unit;
+        chart::converge(&report, &ChartOptions { frequency_unit, ..drawing::options(&args.drawing) })
+    };
     Output::new(text, &args.result).draw(&args.drawing, draw)
 }
 

@@ -45,7 +45,12 @@ pub(super) fn run(args: &FanArgs) -> Result<Output, Failure> {
     };
     let draw = || {
         let points = points.as_deref().unwrap_or_default();
-        let options = ChartOptions { band: settings.band, measured: points, ..drawing::options(&args.drawing) };
+        let options = ChartOptions {
+            frequency_unit: args.frequency.frequency_unit,
+            band: settings.band,
+            measured: points,
+            ..drawing::options(&args.drawing)
+        };
         chart::fan(&chart, &options)
     };
     Output::new(text, &args.result).draw(&args.drawing, draw)

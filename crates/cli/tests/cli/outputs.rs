@@ -35,7 +35,26 @@ fn drawings_have_themes_and_widths() {
     let dark = fs::read_to_string(folder.path().join("a.svg")).unwrap();
     run_in(folder.path(), &["shapes", "uniform", "--svg", "b.svg", "--width", "600"]).good();
     assert_ne!(dark, fs::read_to_string(folder.path().join("b.svg")).unwrap());
-    run(&["shapes", "uniform", "--width", "10"]).refused();
+    run(&["shapes", "uniform", "--svg", "c.svg", "--width", "10"]).refused();
+}
+
+#[test]
+fn drawings_have_units() {
+    let folder = tempfile::tempdir().unwrap();
+    let draw = |units: &[&str]| {
+        run_in(folder.path(), &[&["fan", "tm4760", "--svg", "a.svg"], units].concat()).good();
+        fs::read_to_string(folder.path().join("a.svg")).unwrap()
+    };
+    let svg = draw(&[]);
+    assert!(svg.contains("rotor speed [rpm]") && svg.contains("frequency [rad/s]"), "the defaults");
+    let svg = draw(&["--frequency-unit", "Hz", "--speed-unit", "rad/s"]);
+    assert!(svg.contains("rotor speed [rad/s]") && svg.contains("frequency [Hz]"), "as asked for");
+    run(&["fan", "tm4760", "--svg", "a.svg", "--frequency-unit", "rpm"]).refused();
+    run(&["shapes", "tm4760", "--svg", "a.svg", "--frequency-unit", "Hz"]).refused();
+    for option in [["--theme", "dark"], ["--width", "600"], ["--speed-unit", "Hz"], ["--frequency-unit", "Hz"]] {
+        let message = run(&[&["converge", "tm4760"], option.as_slice()].concat()).refused();
+        assert!(message.contains("--svg"), "an option of a drawing needs one: {message}");
+    }
 }
 
 /// A PNG without its texts would still be a PNG.
