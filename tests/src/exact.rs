@@ -264,7 +264,7 @@ impl Exact {
 
 /// Exact frequencies of one degree of freedom up to `highest` [rad/s].
 pub fn frequencies(blade: &TestBlade, dof: Dof, speed: f64, highest: f64) -> Vec<f64> {
-    Exact::new(blade, dof, speed, highest).frequencies(speed, highest, 400)
+    Exact::new(blade, dof, speed, highest).frequencies(speed, highest, 160)
 }
 
 /// Carries (w, s, M, V) from the outboard to the inboard end of a panel.
