@@ -1,0 +1,73 @@
+// Native and wasm results are the same to the last bit, for every built-in blade.
+
+import assert from "node:assert/strict";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, test } from "node:test";
+import { blades, json, pkg, run, same, value } from "./both.mjs";
+
+const folder = mkdtempSync(join(tmpdir(), "bladefan-parity-"));
+after(() => rmSync(folder, { recursive: true }));
+
+/** Both results of a command; option names as the package has them. */
+function both(command, { name, blade }, options) {
+  const args = Object.entries(options).flatMap(([option, value]) => [`--${option.replace("_", "-")}`, String(value)]);
+  return [json(command, name, ...args), value(pkg[command](blade, options))];
+}
+
+/** Compares a command's results and wants at least so many numbers in them. */
+function compare(command, blade, options, least) {
+  const count = same(...both(command, blade, options));
+  assert.ok(count >= least, `only ${count} numbers were compared`);
+}
+
+test("both have the same built-in blades", () => {
+  const listed = json("blades").blades.map((blade) => blade.name);
+  assert.deepEqual(blades.map((blade) => blade.name), listed);
+  assert.ok(listed.length >= 5, `${listed}`);
+  for (const { name, toml, blade } of blades) {
+    assert.equal(run("blades", name).stdout, toml);
+    same(json("blades", name), blade);
+  }
+});
+
+for (const entry of blades) {
+  const { name, blade } = entry;
+  const nominal = value(pkg.check(blade)).nominal_speed_rad_s;
+  test(`${name}: check`, () => {
+    same(json("check", name), value(pkg.check(blade)));
+  });
+  for (const ratio of [0, 1, 1.2]) {
+    test(`${name}: modes at ${ratio} of nominal speed`, () => compare("modes", entry, { speed: ratio * nominal }, 15 * 5));
+  }
+  test(`${name}: modes with 60 functions`, () => compare("modes", entry, { functions: 60, modes: 10 }, 30 * 5));
+  test(`${name}: fan`, () => compare("fan", entry, {}, 101 * 16));
+  test(`${name}: fan of other speeds`, () => compare("fan", entry, { speeds: `0:${2 * nominal}:37`, harmonics: 20, dof: "lag,flap" }, 37 * 11));
+  test(`${name}: shapes`, () => compare("shapes", entry, {}, 101 * 3 * 15));
+  test(`${name}: shapes by mass`, () => compare("shapes", entry, { normalise: "mass", points: 11, speed: 0 }, 11 * 3 * 15));
+  test(`${name}: converge`, () => compare("converge", entry, {}, 16 * 8));
+  for (const kind of ["fan", "shapes", "converge"]) {
+    for (const theme of ["light", "dark"]) {
+      test(`${name}: drawing of ${kind}, ${theme}`, () => {
+        const file = join(folder, `${name}-${kind}-${theme}.svg`);
+        const { status, stderr } = run(kind, name, "--svg", file, "--theme", theme);
+        assert.equal(status, 0, stderr);
+        const { svg } = value(pkg.chart_svg(kind, blade, { theme }));
+        assert.ok(svg === readFileSync(file, "utf8"), "the two SVG texts differ");
+        assert.ok(svg.length > 5_000, "there is hardly anything in the drawing");
+      });
+    }
+  }
+}
+
+test("numbers, texts and lists of options mean the same", () => {
+  const { blade } = blades[0];
+  const modes = (options) => value(pkg.modes(blade, options));
+  same(modes({ speed: 69.1 }), modes({ speed: "69.1" }));
+  same(modes({ dof: ["lag", "flap"] }), modes({ dof: "lag,flap" }));
+  same(value(pkg.fan(blade, { speeds: [0, "792rpm", 41], band: [0.8, 1.2] })), value(pkg.fan(blade, { speeds: "0:792rpm:41", band: "0.8:1.2" })));
+  for (const speed of [0.1 + 0.2, 1e-300, 123456789.12345679, 5]) {
+    assert.equal(modes({ speed }).speed_rad_s, speed);
+  }
+});
