@@ -239,8 +239,13 @@ impl Checker {
         let radii = stations.si.as_ref()?;
         let end = |i: usize| Some(Length { given: *stations.given.get(i)?, si: *radii.get(i)? });
         let reach = (end(0)?, end(radii.len().checked_sub(1)?)?);
-        let function = PiecewiseLinear::new(radii.clone(), si)?;
-        Some(Property { function, reach: Some(reach) })
+        let function = PiecewiseLinear::new(radii.clone(), si);
+        if function.is_none() {
+            // Radii far beyond the tip, or of no size at all, may fall together in SI units.
+            let rule = "must stay apart in SI units";
+            self.refuse(FaultCode::Radii, &stations.path, None, "list of radii", rule);
+        }
+        Some(Property { function: function?, reach: Some(reach) })
     }
 
     /// A property must reach from a root to the tip.

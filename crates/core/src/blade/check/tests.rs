@@ -142,6 +142,19 @@ fn radii_one_above_the_other_are_told_apart_from_steps() {
 }
 
 #[test]
+fn radii_that_fall_together_in_si_units_are_refused() {
+    let mut given = definition();
+    given.units.length = LengthUnit::Millimetre;
+    // Neighbouring numbers, all beyond the tip: fewer of them in metres.
+    let next = |steps: u64| f64::from_bits(2.1e9_f64.to_bits() + steps);
+    let r = vec![0.0, 2.0, next(1), next(1), next(2), next(3), next(4), next(5), next(6), next(7), next(8)];
+    given.distribution.as_mut().unwrap().mass = Some(PropertyDefinition::OwnRadii { values: vec![1.0; r.len()], r });
+    let faults = check(&given).unwrap_err();
+    assert_eq!(faults.len(), 1, "{faults:?}");
+    assert_eq!((faults[0].code, faults[0].path.as_str()), (FaultCode::Radii, "distribution.mass.r"));
+}
+
+#[test]
 fn numbers_are_shown_shortest() {
     for (value, text) in [
         (-17.0, "-17"),
