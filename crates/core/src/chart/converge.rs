@@ -42,9 +42,8 @@ pub fn converge(report: &ConvergeReport, options: &ChartOptions) -> Drawing {
 
     let frequencies = frequency_scale(&traces, unit);
     let errors = error_scale(&traces);
-    let count = |share: f64| panel::tick_count(&style, share * style.width, 28.0);
-    let room = panel::tick_room(&style, &frequencies.ticks(count(0.3)));
-    let room = room.max(panel::tick_room(&style, &errors.ticks(count(0.25))));
+    let room = panel::y_tick_room(&style, &frequencies, [0.25, 0.36]);
+    let room = room.max(panel::y_tick_room(&style, &errors, [0.2, 0.3]));
     let left = 0.7 * style.margin() + panel::name_beside(&style) + room;
     let longest = report.series.iter().map(|series| text::width(&text::clean(&series.label), style.tick(), true));
     let right = style.width - 0.6 * style.margin() - panel::leader_length(&style) - longest.fold(0.0, f64::max);

@@ -22,9 +22,21 @@ pub(super) struct Panel {
 }
 
 /// Room [px] that tick texts take to the left of a frame.
-pub(super) fn tick_room(style: &Style, ticks: &[Tick]) -> f64 {
+fn tick_room(style: &Style, ticks: &[Tick]) -> f64 {
     let widest = ticks.iter().map(|tick| tick_width(tick, style.tick())).fold(0.0, f64::max);
     widest + 8.0 * style.unit
+}
+
+/// The same for a frame whose height is not yet known: between these shares of the drawing's width.
+pub(super) fn y_tick_room(style: &Style, y: &Scale, heights: [f64; 2]) -> f64 {
+    let room = |share: f64| tick_room(style, &y.ticks(y_tick_count(style, y, share * style.width)));
+    let between = 0.5 * (heights[0] + heights[1]);
+    room(heights[0]).max(room(between)).max(room(heights[1]))
+}
+
+fn y_tick_count(style: &Style, y: &Scale, height: f64) -> f64 {
+    // Decades may stand closer than numbers that are read off.
+    tick_count(style, height, if y.axis.log { 28.0 } else { 50.0 })
 }
 
 fn tick_width(tick: &Tick, size: f64) -> f64 {
@@ -47,7 +59,7 @@ pub(super) fn name_beside(style: &Style) -> f64 {
 }
 
 /// How many ticks suit a length [px].
-pub(super) fn tick_count(style: &Style, length: f64, apart: f64) -> f64 {
+fn tick_count(style: &Style, length: f64, apart: f64) -> f64 {
     (length / (apart * style.unit)).max(2.0)
 }
 
@@ -57,7 +69,7 @@ impl Panel {
         let x = x.on(area.left, area.right);
         let y = y.on(area.bottom, area.top);
         let x_ticks = x.ticks(tick_count(style, area.right - area.left, 75.0));
-        let y_ticks = y.ticks(tick_count(style, area.bottom - area.top, if y.axis.log { 28.0 } else { 50.0 }));
+        let y_ticks = y.ticks(y_tick_count(style, &y, area.bottom - area.top));
         Self { area, x, y, x_ticks, y_ticks }
     }
 

@@ -36,7 +36,7 @@ pub fn shapes(report: &ShapesReport, options: &ChartOptions) -> Drawing {
     let scales: Vec<Scale> = dofs.iter().map(|&dof| y_scale(report, dof)).collect();
 
     // Each panel has the same room to its left, so that the frames are of one size.
-    let ticks = scales.iter().map(|scale| panel::tick_room(&style, &scale.ticks(5.0))).fold(0.0, f64::max);
+    let ticks = scales.iter().map(|scale| panel::y_tick_room(&style, scale, [0.15, 0.42])).fold(0.0, f64::max);
     let beside = 0.7 * style.margin() + panel::name_beside(&style) + ticks;
     let count = dofs.len().max(1) as f64;
     let columns = if style.width / count >= LEAST_SHARE * style.unit.min(1.0) { dofs.len().max(1) } else { 1 };

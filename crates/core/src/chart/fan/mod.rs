@@ -60,15 +60,13 @@ pub fn fan(chart: &FanChart, options: &ChartOptions) -> Drawing {
     let x = Scale::linear(units.speed(range.from_speed), units.speed(range.to_speed), units.speed.name());
     let y = Scale::linear(0.0, units.frequency(range.top), units.frequency.name());
     let name = text::clean(&chart.blade);
-    let count = crossings::in_band(chart, options.band).filter(|crossing| range.holds(crossing)).count();
 
     // From the outside in: what stands beside the frame gives its width, the width its height.
-    let ticks = y.ticks(panel::tick_count(&style, 0.5 * style.width, 55.0));
-    let left = 0.7 * style.margin() + panel::name_beside(&style) + panel::tick_room(&style, &ticks);
+    let left = 0.7 * style.margin() + panel::name_beside(&style) + panel::y_tick_room(&style, &y, [0.45, 0.62]);
     let longest = chart.branches.iter().map(|branch| text::width(&text::clean(&branch.label), style.tick(), true));
     let rays_room = text::width("100P", style.small(), false);
     let right = style.width - 0.6 * style.margin() - panel::leader_length(&style) - longest.fold(rays_room, f64::max);
-    let head = Head::new(&style, &name, entries(chart, options, count), left);
+    let head = Head::new(&style, &name, entries(chart, options, &range), left);
     let above = if range.open { rays::TOP_GAP * style.unit + 1.25 * style.small() } else { 6.0 * style.unit };
     let top = head.height(&style) + above + 1.5 * style.small();
     let area = Area { left, top, right, bottom: top + 0.625 * (right - left) };
@@ -121,7 +119,7 @@ pub fn fan(chart: &FanChart, options: &ChartOptions) -> Drawing {
     Drawing { svg, width, height, plots: alloc::vec![panel.describe("fan")] }
 }
 
-fn entries(chart: &FanChart, options: &ChartOptions, crossings: usize) -> Vec<Entry> {
+fn entries(chart: &FanChart, options: &ChartOptions, range: &Range) -> Vec<Entry> {
     let mut entries: Vec<Entry> = Dof::ALL
         .into_iter()
         .filter(|dof| chart.branches.iter().any(|branch| branch.dof == *dof))
@@ -130,10 +128,11 @@ fn entries(chart: &FanChart, options: &ChartOptions, crossings: usize) -> Vec<En
     if let Some(blades) = chart.blades.filter(|&blades| blades > 0 && blades <= chart.harmonics) {
         entries.push(Entry::new(Sign::BladeRay, format!("multiples of {blades}P")));
     }
-    if chart.nominal.speed_rad_s > 0.0 {
+    if range.meets(chart.nominal.speed_rad_s, options.band) {
         let (from, to) = (text::significant(options.band.0, 4), text::significant(options.band.1, 4));
         entries.push(Entry::new(Sign::Band, format!("{from} to {to} of nominal speed")));
     }
+    let crossings = crossings::in_band(chart, options.band).filter(|crossing| range.holds(crossing)).count();
     if crossings > 0 {
         let plural = if crossings == 1 { "" } else { "s" };
         entries.push(Entry::new(Sign::Crossing, format!("{crossings} crossing{plural} in this band")));

@@ -64,6 +64,11 @@ impl Range {
 }
 
 impl Range {
+    /// Whether some of the operating band shows.
+    pub(super) fn meets(&self, nominal: f64, band: (f64, f64)) -> bool {
+        nominal > 0.0 && band.0 * nominal < self.to_speed && band.1 * nominal > self.from_speed && band.0 < band.1
+    }
+
     /// Whether a crossing shows.
     pub(super) fn holds(&self, crossing: &Crossing) -> bool {
         (self.from_speed..=self.to_speed).contains(&crossing.speed_rad_s)
