@@ -4,9 +4,8 @@
 //! of the rotating beam, both in 40- to 50-digit arithmetic with mpmath and printed to 16 digits.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
-use bladefan_core::analysis::{Settings, ShapesReport, shapes};
+use bladefan_core::analysis::{Settings, ShapeScale, ShapesReport, shapes};
 use bladefan_core::dof::Dof;
-use bladefan_core::modes::ShapeScale;
 use bladefan_tests::blades::{End, Table, TestBlade};
 use bladefan_tests::solve::{frequencies, settings};
 

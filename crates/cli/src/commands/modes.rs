@@ -29,14 +29,21 @@ fn table(report: &ModesReport) -> String {
         ("rad/s", Align::Point),
         ("Hz", Align::Point),
         ("/rev", Align::Point),
+        ("nearest", Align::Left),
+        ("margin\n[/rev]", Align::Point),
         ("residual", Align::Point),
     ]);
-    for mode in &report.modes {
+    let margins = analysis::margins(report);
+    for (index, mode) in report.modes.iter().enumerate() {
+        // There is none at rest.
+        let margin = margins.get(index);
         table.row([
             Cell::label(&mode.label, Some(mode.dof)),
             Cell::number(mode.frequency_rad_s, 5),
             Cell::number(mode.frequency_hz, 5),
             Cell::maybe(mode.per_rev, 4),
+            Cell::text(margin.map_or_else(|| "-".into(), |at| format!("{}P", at.nearest_harmonic))),
+            margin.map_or_else(|| Cell::text("-"), |at| Cell::signed(at.margin_per_rev, 3)),
             Cell::number(mode.residual, 1),
         ]);
     }

@@ -8,15 +8,13 @@ pub use report::{
     BasisReport, BladeSummary, Branch, Coincidence, ConvergeReport, ConvergeSeries, Crossing, DofSummary, FanChart,
     FunctionCounts, Margin, MeasuredPoint, ModeReport, ModesReport, Nominal, ShapeReport, ShapesReport, Southwell,
 };
-pub use settings::{BasisFamily, Settings, SpeedRange};
-
-pub use crate::modes::ShapeScale;
+pub use settings::{BasisFamily, Settings, ShapeScale, SpeedRange};
 
 use crate::blade::{Blade, RootCondition, moments};
 use crate::dof::Dof;
 use crate::fan::{Curves, meet_rays};
 use crate::fault::{Fault, FaultCode};
-use crate::lagrange::{SystemMatrices, assemble, classical_functions, tabulate};
+use crate::lagrange::{SystemMatrices, assemble, classical_functions, tabulate, torsion_norm};
 use crate::modes::{self, Mode, SolveError};
 use crate::numerics::eigen::EigenError;
 use crate::numerics::scalar::{round, sqrt};
@@ -149,9 +147,15 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Vec<Fa
     };
     for dof in settings.ordered_dofs() {
         let functions = classical_functions(blade, dof, settings.functions);
-        let solved = solve(&assemble(blade, dof, functions.as_ref()), speed, settings.modes)?;
+        let matrices = assemble(blade, dof, functions.as_ref());
+        let solved = solve(&matrices, speed, settings.modes)?;
         let tables = tabulate(blade, dof, functions.as_ref(), &radii);
-        let sampled = modes::shapes(dof, &tables, &solved, speed * speed, settings.normalise);
+        let norm = match (settings.normalise, dof) {
+            (ShapeScale::Max, _) => None,
+            (ShapeScale::Mass, Dof::Flap | Dof::Lag) => Some(matrices.mass().clone()),
+            (ShapeScale::Mass, Dof::Torsion) => Some(torsion_norm(blade, functions.as_ref())),
+        };
+        let sampled = modes::shapes(&tables, &solved, speed * speed, norm.as_ref());
         report.shapes.extend(solved.iter().zip(sampled).enumerate().map(|(index, (mode, shape))| ShapeReport {
             label: label(dof, index + 1),
             dof,

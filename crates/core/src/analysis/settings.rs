@@ -2,7 +2,6 @@
 
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode};
-use crate::modes::ShapeScale;
 use crate::units::parse_speed;
 use alloc::format;
 use alloc::string::ToString;
@@ -24,6 +23,15 @@ impl BasisFamily {
             Self::Classical => "classical",
         }
     }
+}
+
+/// What mode shapes are scaled to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ShapeScale {
+    /// Largest absolute displacement of the sampled radii 1.
+    Max,
+    /// ∫ m X² dr = 1 in bending (Eq. 86), ∫ X² dr = l/2 in torsion (Eq. 87).
+    Mass,
 }
 
 /// Rotor speeds FROM:TO:COUNT, evenly spaced, both ends included.

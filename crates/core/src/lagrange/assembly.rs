@@ -149,6 +149,26 @@ pub fn assemble(blade: &Blade, dof: Dof, functions: &dyn AssumedFunctions) -> Sy
     SystemMatrices { dof, mass, stiffness, centrifugal, rigid: functions.has_rigid_motion() }
 }
 
+/// (2/l) ∫ φ φ dr (n × n) of torsion: a mode with qᵀ N q = 1 has ∫ X² dr = l/2 (Eq. 87).
+pub fn torsion_norm(blade: &Blade, functions: &dyn AssumedFunctions) -> DMatrix<f64> {
+    let n = functions.count();
+    let rules = GaussRules::new();
+    let root = blade.root(Dof::Torsion).offset;
+    let per_half_length = 2.0 / (blade.radius() - root);
+    let mut samples = vec![Sample::default(); n];
+    let mut norm = DMatrix::zeros(n, n);
+    for segment in segments(blade, Dof::Torsion, &[]) {
+        segment.panels(functions.wave_number(), |a, b, phase| {
+            rules.each_point(a, b, phase, |r, weight| {
+                functions.sample(r - root, &mut samples);
+                add(&mut norm, &samples, per_half_length * weight, |f| f.value);
+            });
+        });
+    }
+    norm.fill_upper_triangle_with_lower_triangle();
+    norm
+}
+
 /// Adds weight · f_i f_j to the lower triangle.
 fn add(matrix: &mut DMatrix<f64>, samples: &[Sample], weight: f64, part: impl Fn(&Sample) -> f64) {
     if weight == 0.0 {

@@ -26,10 +26,6 @@ pub struct ShapeTables {
     pub inertial: DMatrix<f64>,
     /// Moment per Ω², to be subtracted (p × n).
     pub centrifugal: DMatrix<f64>,
-    /// ∫ φ φ dr (n × n): the norm of torsion modes (Eq. 87).
-    pub square: DMatrix<f64>,
-    /// Blade length l [m].
-    pub length: f64,
 }
 
 /// Tabulates the functions of one degree of freedom at ascending `radii` [m].
@@ -42,8 +38,6 @@ pub fn tabulate(blade: &Blade, dof: Dof, functions: &dyn AssumedFunctions, radii
         slope: DMatrix::zeros(p, n),
         inertial: DMatrix::zeros(p, n),
         centrifugal: DMatrix::zeros(p, n),
-        square: DMatrix::zeros(n, n),
-        length: blade.radius() - root,
     };
     let mut samples = vec![Sample::default(); n];
     for (row, &r) in radii.iter().enumerate().filter(|(_, r)| **r >= root) {
@@ -114,11 +108,6 @@ fn integrate_from_tip(blade: &Blade, dof: Dof, functions: &dyn AssumedFunctions,
                     at.shear[i] += load * f.value;
                     at.inertial[i] += load * lever * f.value;
                     at.centrifugal[i] += pull * if dof == Dof::Torsion { f.value } else { f.slope };
-                }
-                for (j, f) in samples.iter().enumerate() {
-                    for (i, g) in samples.iter().enumerate() {
-                        tables.square[(i, j)] += weight * f.value * g.value;
-                    }
                 }
             });
         });

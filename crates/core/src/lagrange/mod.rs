@@ -4,5 +4,5 @@ mod assembly;
 mod equilibrium;
 mod panels;
 
-pub use assembly::{SystemMatrices, assemble, classical_functions};
+pub use assembly::{SystemMatrices, assemble, classical_functions, torsion_norm};
 pub use equilibrium::{ShapeTables, tabulate};

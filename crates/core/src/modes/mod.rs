@@ -3,5 +3,5 @@
 mod shapes;
 mod solve;
 
-pub use shapes::{Shape, ShapeScale, shapes};
+pub use shapes::{Shape, shapes};
 pub use solve::{Mode, SolveError, solve};

@@ -1,20 +1,10 @@
 //! Mode shapes along the span (Eq. 83), scaled and signed.
 
 use super::Mode;
-use crate::dof::Dof;
 use crate::lagrange::ShapeTables;
 use crate::numerics::scalar::sqrt;
 use alloc::vec::Vec;
-use nalgebra::DVector;
-
-/// What a shape is scaled to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ShapeScale {
-    /// Largest absolute displacement of the sampled radii 1.
-    Max,
-    /// ∫ m X² dr = 1 in bending (Eq. 86), ∫ X² dr = l/2 in torsion (Eq. 87).
-    Mass,
-}
+use nalgebra::{DMatrix, DVector};
 
 /// One mode along the span. Positive at the tip: flap up, lag forward, nose up.
 #[derive(Clone, Debug)]
@@ -27,20 +17,16 @@ pub struct Shape {
     pub moment: Vec<f64>,
 }
 
-/// The shapes of modes of one degree of freedom at Ω² = `speed_squared`.
-pub fn shapes(dof: Dof, tables: &ShapeTables, modes: &[Mode], speed_squared: f64, scale: ShapeScale) -> Vec<Shape> {
-    modes.iter().map(|mode| shape(dof, tables, mode, speed_squared, scale)).collect()
+/// The shapes of modes at Ω² = `speed_squared`, scaled to qᵀ N q = 1 where N = `norm` is given (M
+/// makes that Eq. 86), else to a largest absolute displacement of 1 among the sampled radii.
+pub fn shapes(tables: &ShapeTables, modes: &[Mode], speed_squared: f64, norm: Option<&DMatrix<f64>>) -> Vec<Shape> {
+    modes.iter().map(|mode| shape(tables, mode, speed_squared, norm)).collect()
 }
 
-fn shape(dof: Dof, tables: &ShapeTables, mode: &Mode, speed_squared: f64, scale: ShapeScale) -> Shape {
+fn shape(tables: &ShapeTables, mode: &Mode, speed_squared: f64, norm: Option<&DMatrix<f64>>) -> Shape {
     let q = &mode.coordinates;
     let displacement = &tables.value * q;
-    let size = match scale {
-        ShapeScale::Max => displacement.amax(),
-        // q has qᵀ M q = 1, which is Eq. 86.
-        ShapeScale::Mass if dof == Dof::Torsion => sqrt(2.0 * q.dot(&(&tables.square * q)) / tables.length),
-        ShapeScale::Mass => 1.0,
-    };
+    let size = norm.map_or_else(|| displacement.amax(), |norm| sqrt(q.dot(&(norm * q))));
     let sign = if displacement.iter().next_back().is_some_and(|&tip| tip < 0.0) { -1.0 } else { 1.0 };
     // Divided, not multiplied by an inverse: the largest displacement is 1 to the bit.
     let along = |vector: DVector<f64>| vector.iter().map(|&v| sign * v / size).collect();
