@@ -55,7 +55,7 @@ count() { # LOG
         function before(word,    at) { # the number that stands before a word of this line
             return match($0, "[0-9]+ " word) ? substr($0, RSTART, RLENGTH) + 0 : 0
         }
-        /^ *test result: / || /^ *Summary \[/ || /^  [0-9]+ (passed|failed|flaky|interrupted)( \(|$)/ {
+        /^test result: / || /^ *Summary \[/ || /^  [0-9]+ (passed|failed|flaky|interrupted)( \(|$)/ {
             good += before("passed")
             bad += before("failed") + before("timed out") + before("flaky") + before("interrupted")
         }
