@@ -48,3 +48,8 @@ export function textOffset(text, line, column) {
   }
   return offset;
 }
+
+/** TOML or JSON, by the first character that is not blank, as the package takes a text. */
+export function textFormat(text) {
+  return text.trimStart().startsWith("{") ? "json" : "toml";
+}

@@ -34,13 +34,14 @@ export function startSolving(store, client) {
   }
 
   async function modes(state) {
+    const { speed } = state;
     const options = optionsOf("modes", state);
     const [found, margins] = await Promise.all([
       client.call("modes", "modes", state.blade, options),
       client.call("margins", "margins", state.blade, options),
     ]);
     if (found === null || margins === null) return;
-    take("modes", found.status === "ok" ? margins : found, (value) => ({ modes: found.value, margins: value }));
+    take("modes", found.status === "ok" ? margins : found, (value) => ({ modes: found.value, margins: value, solvedSpeed: speed }));
   }
 
   async function draw(state) {

@@ -19,7 +19,8 @@ export function startTheme(button, onChange) {
   const show = () => {
     const theme = current();
     document.documentElement.dataset.theme = theme;
-    button.setAttribute("aria-pressed", String(theme === "dark"));
+    button.textContent = theme === "dark" ? "Light" : "Dark";
+    button.setAttribute("aria-label", `${button.textContent} colours`);
     onChange(theme);
   };
   button.addEventListener("click", () => {

@@ -189,7 +189,7 @@ pageTest("options reach the solver and their faults stand where they were made",
   assert.equal(await page.locator("#option-functions").getAttribute("aria-invalid"), "true");
   await page.locator("#option-functions").fill("20");
   await page.locator("#model", { hasText: "N = 20" }).waitFor();
-  assert.equal(await page.locator("#solve-faults").isVisible(), false);
+  await page.locator("#solve-faults").waitFor({ state: "hidden" });
 });
 
 pageTest("downloads arrive and hold what the page shows", {}, async (page) => {

@@ -1,0 +1,294 @@
+//! The boundary: what JavaScript may hand in, and what it gets back. Run by
+//! `wasm-pack test --node crates/wasm`; the numbers themselves are core's tests' business.
+
+#![cfg(target_arch = "wasm32")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may stop")]
+#![allow(missing_docs, reason = "tests say it by their names")]
+
+use bladefan_wasm::{
+    about, built_in_blades, chart_svg, check, converge, fan, margins, measured, modes, parse_blade, shapes, version,
+};
+use js_sys::{Array, Function, JSON, Object, Reflect};
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+type Answer = Result<JsValue, JsError>;
+
+/// A value of JavaScript.
+fn js(source: &str) -> JsValue {
+    Function::new_no_args(&format!("return {source}")).call0(&JsValue::NULL).expect("the source is sound")
+}
+
+/// A value inside a value, by keys and indices.
+fn get(value: &JsValue, path: &str) -> JsValue {
+    path.split('.').fold(value.clone(), |value, key| Reflect::get(&value, &key.into()).expect("an object"))
+}
+
+fn text(value: &JsValue, path: &str) -> String {
+    get(value, path).as_string().unwrap_or_else(|| panic!("no text at {path}"))
+}
+
+fn number(value: &JsValue, path: &str) -> f64 {
+    get(value, path).as_f64().unwrap_or_else(|| panic!("no number at {path}"))
+}
+
+fn length(value: &JsValue, path: &str) -> u32 {
+    Array::from(&get(value, path)).length()
+}
+
+fn answer(answer: Answer) -> JsValue {
+    answer.unwrap_or_else(|_| panic!("an export threw"))
+}
+
+/// The value of an answer that must be a result.
+fn value(given: Answer) -> JsValue {
+    let given = answer(given);
+    assert_eq!(text(&given, "status"), "ok", "{:?}", JSON::stringify(&given));
+    assert!(Array::is_array(&get(&given, "warnings")));
+    get(&given, "value")
+}
+
+/// The faults of an answer that must have some, as `code path: message`.
+fn faults(given: Answer) -> Vec<String> {
+    let given = answer(given);
+    assert_eq!(text(&given, "status"), "error", "{:?}", JSON::stringify(&given));
+    let faults = Array::from(&get(&given, "faults"));
+    assert!(faults.length() > 0, "an error without a fault");
+    let line = |fault: JsValue| {
+        let keys: Vec<_> =
+            Object::keys(fault.unchecked_ref::<Object>()).iter().filter_map(|key| key.as_string()).collect();
+        assert_eq!(keys, ["code", "path", "value", "rule", "message", "line", "column"]);
+        format!("{} {}: {}", text(&fault, "code"), text(&fault, "path"), text(&fault, "message"))
+    };
+    faults.iter().map(line).collect()
+}
+
+fn blade_text(index: u32) -> JsValue {
+    get(&Array::from(&value(built_in_blades())).get(index), "toml")
+}
+
+fn blade() -> JsValue {
+    value(parse_blade(&blade_text(0), &JsValue::UNDEFINED))
+}
+
+/// Every export that takes a blade and options.
+const SOLVERS: [(&str, fn(&JsValue, &JsValue) -> Answer); 7] = [
+    ("modes", modes),
+    ("margins", margins),
+    ("fan", fan),
+    ("shapes", shapes),
+    ("converge", converge),
+    ("chart_svg", |blade, options| chart_svg(&"fan".into(), blade, options)),
+    ("check", |blade, _| check(blade)),
+];
+
+/// Values that are no blade and no options object.
+const STRANGE: [&str; 16] = [
+    "5",
+    "NaN",
+    "'text'",
+    "true",
+    "[]",
+    "[[1, 2], {}]",
+    "() => 1",
+    "class {}",
+    "Symbol('s')",
+    "10n",
+    "(() => { const a = []; a.push(a); return a })()",
+    "new Proxy({}, { ownKeys() { throw new Error('no') } })",
+    "new Proxy({ rotor: 1 }, { get() { throw new Error('no') } })",
+    "({ get speed() { throw new Error('no') }, get rotor() { throw new Error('no') } })",
+    "(() => { const { proxy, revoke } = Proxy.revocable([], {}); revoke(); return proxy })()",
+    "(() => { const { proxy, revoke } = Proxy.revocable([], {}); revoke(); return { rotor: proxy, speed: proxy } })()",
+];
+
+#[wasm_bindgen_test]
+fn a_result_is_a_plain_object() {
+    let report = value(modes(&blade(), &JsValue::UNDEFINED));
+    assert_eq!(text(&report, "schema"), "bladefan-modes/1");
+    assert_eq!(length(&report, "modes"), 15);
+    assert_eq!(text(&report, "modes.0.label"), "1F");
+    assert_eq!(text(&report, "modes.0.dof"), "flap");
+    assert!(number(&report, "modes.0.frequency_rad_s") > 70.0);
+    // Absent values are null, not undefined, and lists of pairs are objects, not maps.
+    assert!(get(&report, "modes.0.lower_rad_s").is_null());
+    let again = JSON::parse(&String::from(JSON::stringify(&report).unwrap())).unwrap();
+    assert_eq!(JSON::stringify(&again).unwrap(), JSON::stringify(&report).unwrap());
+}
+
+#[wasm_bindgen_test]
+fn every_export_answers() {
+    let blade = blade();
+    let none = JsValue::UNDEFINED;
+    assert_eq!(length(&value(fan(&blade, &none)), "speeds_rad_s"), 101);
+    assert_eq!(length(&value(shapes(&blade, &none)), "shapes.0.displacement"), 101);
+    assert_eq!(length(&value(converge(&blade, &none)), "functions"), 16);
+    assert!(get(&value(converge(&blade, &none)), "series.1.classical_rad_s.0").is_null());
+    assert_eq!(number(&value(margins(&blade, &none)), "0.nearest_harmonic"), 1.0);
+    assert_eq!(text(&value(check(&blade)), "schema"), "bladefan-check/1");
+    assert_eq!(text(&value(about()), "version"), version());
+    assert_eq!(number(&value(about()), "speed_units.0.rad_s"), 1.0);
+    let points = value(measured(&"label,speed [rpm],frequency [Hz],source\n1F,660,11.5,test\n".into()));
+    assert_eq!(text(&points, "0.source"), "test");
+}
+
+#[wasm_bindgen_test]
+fn the_built_in_blades_say_what_they_are() {
+    let blades = value(built_in_blades());
+    let blades = Array::from(&blades);
+    assert!(blades.length() >= 5);
+    for (index, entry) in blades.iter().enumerate() {
+        for key in ["name", "title", "quality", "citation", "toml"] {
+            assert!(!text(&entry, key).is_empty(), "{key} of blade {index}");
+        }
+    }
+}
+
+#[wasm_bindgen_test]
+fn a_drawing_has_text_size_and_plot_areas() {
+    for (kind, plots) in [("fan", 1), ("shapes", 3), ("converge", 2)] {
+        let options = js("({ theme: 'dark', width: 640, frequency_unit: 'Hz' })");
+        let drawing = value(chart_svg(&kind.into(), &blade(), &options));
+        assert!(text(&drawing, "svg").starts_with("<svg"), "{kind}");
+        assert_eq!(number(&drawing, "width"), 640.0);
+        assert_eq!(length(&drawing, "plots"), plots, "{kind}");
+        assert!(number(&drawing, "plots.0.x.to") > number(&drawing, "plots.0.x.from"));
+    }
+    let points = js("({ measured: 'label,speed [rpm],frequency [Hz],source\\n1F,660,11.5,wind tunnel\\n' })");
+    assert!(text(&value(chart_svg(&"fan".into(), &blade(), &points)), "svg").contains("wind tunnel"));
+}
+
+#[wasm_bindgen_test]
+fn warnings_come_with_every_answer() {
+    let parsed = answer(parse_blade(&blade_text(0), &JsValue::UNDEFINED));
+    assert_eq!(text(&parsed, "warnings.0.path"), "distribution.mass_offset");
+    let solved = answer(modes(&blade(), &JsValue::UNDEFINED));
+    assert_eq!(text(&solved, "warnings.0.path"), "distribution.mass_offset");
+}
+
+#[wasm_bindgen_test]
+fn a_blade_goes_in_as_it_came_out() {
+    let blade = blade();
+    let copy = JSON::parse(&String::from(JSON::stringify(&blade).unwrap())).unwrap();
+    let both = [&blade, &copy].map(|blade| value(modes(blade, &JsValue::UNDEFINED)));
+    assert_eq!(JSON::stringify(&both[0]).unwrap(), JSON::stringify(&both[1]).unwrap());
+    let text = JSON::stringify(&blade).unwrap();
+    let read = value(parse_blade(&text, &"json".into()));
+    assert_eq!(JSON::stringify(&read).unwrap(), text);
+}
+
+#[wasm_bindgen_test]
+fn no_blade_and_strange_blades_are_faults() {
+    for (name, call) in SOLVERS {
+        for source in ["undefined", "null"].iter().chain(&STRANGE) {
+            assert!(!faults(call(&js(source), &JsValue::UNDEFINED)).is_empty(), "{name} of {source}");
+        }
+        assert!(faults(call(&js("({})"), &JsValue::UNDEFINED)).len() >= 5, "{name}: everything is missing");
+    }
+}
+
+#[wasm_bindgen_test]
+fn strange_options_are_faults() {
+    let blade = blade();
+    for (name, call) in SOLVERS.into_iter().filter(|(name, _)| *name != "check") {
+        for source in STRANGE {
+            assert!(!faults(call(&blade, &js(source))).is_empty(), "{name} with {source}");
+        }
+        for source in ["undefined", "null", "({})", "({ modes: undefined, dof: null })"] {
+            value(call(&blade, &js(source)));
+        }
+    }
+}
+
+#[wasm_bindgen_test]
+fn strange_values_of_options_are_faults() {
+    for strange in STRANGE.iter().filter(|source| !["5", "'text'"].contains(source)) {
+        let options = js(&format!("({{ speed: {strange} }})"));
+        let given = faults(modes(&blade(), &options));
+        assert!(given[0].starts_with("option speed: ") || given[0].starts_with("wrong-type speed: "), "{given:?}");
+    }
+}
+
+#[wasm_bindgen_test]
+fn an_object_that_holds_itself_ends() {
+    for source in [
+        "(() => { const a = {}; a.rotor = a; a.flap = a; return a })()",
+        "(() => { const a = { rotor: {} }; for (let i = 0; i < 50; i++) a.rotor[i] = a; return a })()",
+        "({ notes: 'x', distribution: { r: new Array(1e9) } })",
+        "({ distribution: { r: Object.assign([], { length: 4294967295 }) } })",
+    ] {
+        faults(modes(&js(source), &JsValue::UNDEFINED));
+    }
+}
+
+#[wasm_bindgen_test]
+fn numbers_in_a_blade_must_be_finite() {
+    for (strange, code) in [
+        ("NaN", "not-finite"),
+        ("Infinity", "not-finite"),
+        ("'2'", "wrong-type"),
+        ("null", "missing"),
+        ("-1", "out-of-range"),
+    ] {
+        let blade = blade();
+        Reflect::set(&get(&blade, "rotor"), &"radius".into(), &js(strange)).unwrap();
+        let given = faults(modes(&blade, &JsValue::UNDEFINED));
+        assert!(given[0].starts_with(&format!("{code} rotor.radius: ")), "{strange}: {given:?}");
+    }
+}
+
+#[wasm_bindgen_test]
+fn faults_of_blade_and_options_come_together() {
+    let given = faults(modes(&js("({})"), &js("({ speed: 'fast', sped: 1, functions: 0.5 })")));
+    for name in ["speed", "sped", "functions", "rotor"] {
+        assert!(given.iter().any(|fault| fault.contains(&format!(" {name}: "))), "{name}: {given:?}");
+    }
+}
+
+#[wasm_bindgen_test]
+fn an_option_of_another_call_is_a_fault() {
+    let blade = blade();
+    assert_eq!(faults(modes(&blade, &js("({ harmonics: 5 })"))), ["option harmonics: is not an option of modes"]);
+    assert_eq!(faults(fan(&blade, &js("({ theme: 'dark' })"))), ["option theme: is not an option of fan"]);
+    let shapes = chart_svg(&"shapes".into(), &blade, &js("({ measured: '' })"));
+    assert_eq!(faults(shapes), ["option measured: is not an option of shapes"]);
+}
+
+#[wasm_bindgen_test]
+fn looks_that_do_not_exist_are_faults() {
+    for (options, name) in [
+        ("({ theme: 'sepia' })", "theme"),
+        ("({ width: 12.5 })", "width"),
+        ("({ width: -1 })", "width"),
+        ("({ speed_unit: 'mph' })", "speed_unit"),
+        ("({ frequency_unit: 'rpm' })", "frequency_unit"),
+    ] {
+        let given = faults(chart_svg(&"fan".into(), &blade(), &js(options)));
+        assert!(given[0].starts_with(&format!("option {name}: ")), "{given:?}");
+    }
+    assert!(faults(chart_svg(&"fan".into(), &blade(), &js("({ measured: 'x' })")))[0].contains("header"));
+    for kind in ["undefined", "'pie'", "1", "({})"] {
+        assert!(faults(chart_svg(&js(kind), &blade(), &JsValue::UNDEFINED))[0].starts_with("unknown-choice kind: "));
+    }
+}
+
+#[wasm_bindgen_test]
+fn text_that_is_no_text_is_a_fault() {
+    for source in ["undefined", "null"].iter().chain(&STRANGE).filter(|source| **source != "'text'") {
+        assert_eq!(faults(parse_blade(&js(source), &JsValue::UNDEFINED)), ["wrong-type text: must be text"]);
+        assert_eq!(faults(measured(&js(source))), ["wrong-type text: must be text"]);
+    }
+    for source in ["'yaml'", "5", "({})"] {
+        let given = faults(parse_blade(&blade_text(0), &js(source)));
+        assert!(given[0].starts_with("unknown-choice format: "), "{given:?}");
+    }
+}
+
+#[wasm_bindgen_test]
+fn faults_of_a_text_have_their_place() {
+    let bad = blade_text(0).as_string().unwrap().replacen("radius = ", "radius = -", 1);
+    let given = answer(parse_blade(&bad.as_str().into(), &"toml".into()));
+    let line = bad.lines().position(|line| line.starts_with("radius")).unwrap() + 1;
+    assert_eq!(number(&given, "faults.0.line"), line as f64);
+    assert!(number(&given, "faults.0.column") > 1.0);
+}

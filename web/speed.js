@@ -1,0 +1,52 @@
+// The rotor speed: slider, number, unit, and the line on the chart, all one value of the state.
+
+import { at } from "./dom.js";
+import { fieldNumber } from "./format.js";
+
+const slider = at("speed-slider");
+const number = at("speed-number");
+
+/** How many rad/s one of this unit is. */
+export const unitFactor = (state, name) => state.about.speed_units.find((unit) => unit.name === name).rad_s;
+
+/** A rotor speed in the unit of the page; nominal from what was solved there. */
+export function shownSpeed(speed, state) {
+  if (speed !== null && speed.unit === state.speedUnit) return speed.value;
+  return Number((state.modes.speed_rad_s / unitFactor(state, state.speedUnit)).toPrecision(12));
+}
+
+/** A round step that divides the slider's length into 400 to 1000 parts. */
+function sliderStep(length) {
+  const power = 10 ** Math.floor(Math.log10(length / 400));
+  return [5, 2, 1].map((n) => n * power).find((step) => length / step >= 400);
+}
+
+/** Shows the state's speed on the controls. */
+export function showSpeed(state) {
+  if (state.fan === null || state.modes === null) return;
+  const longest = state.fan.speeds_rad_s.at(-1) / unitFactor(state, state.speedUnit);
+  slider.step = sliderStep(longest);
+  slider.max = fieldNumber(longest);
+  const speed = shownSpeed(state.speed, state);
+  slider.value = speed;
+  slider.setAttribute("aria-valuetext", `${fieldNumber(speed)} ${state.speedUnit}`);
+  if (document.activeElement !== number) number.value = fieldNumber(speed);
+  for (const control of [slider, number]) control.disabled = false;
+  at("nominal").disabled = state.speed === null;
+}
+
+/** Makes the controls work; returns what takes a speed chosen on the chart. */
+export function startSpeed(store) {
+  const choose = (value) => store.set({ speed: { value, unit: store.get().speedUnit } });
+  slider.addEventListener("input", () => choose(slider.valueAsNumber));
+  number.addEventListener("input", () => {
+    if (Number.isFinite(number.valueAsNumber)) choose(number.valueAsNumber);
+  });
+  number.addEventListener("blur", () => showSpeed(store.get()));
+  at("nominal").addEventListener("click", () => store.set({ speed: null }));
+  at("speed-unit").addEventListener("change", ({ target }) => store.set({ speedUnit: target.value }));
+  return (speed) => {
+    const step = Number(slider.step);
+    choose(Number((Math.round(speed / step) * step).toPrecision(12)));
+  };
+}
