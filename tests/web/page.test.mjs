@@ -296,6 +296,64 @@ pageTest("markup in a blade's texts stays text", {}, async (page) => {
   assert.match(await page.locator("#chart > svg:not(.overlay)").textContent(), /<script>/);
 });
 
+test("the page's policy stops scripts in markup and requests to other hosts", async () => {
+  const { page, close } = await open(site);
+  try {
+    const stopped = await page.evaluate(async () => {
+      const stopped = [];
+      addEventListener("securitypolicyviolation", (event) => stopped.push(event.effectiveDirective));
+      const script = document.createElement("script");
+      script.textContent = "window.inline = true";
+      document.body.append(script);
+      await fetch("http://127.0.0.2:9/").catch(() => {});
+      await new Promise((resolve) => setTimeout(resolve, 300)); // violations are told of later
+      return { inline: window.inline, stopped };
+    });
+    assert.deepEqual(stopped, { inline: undefined, stopped: ["script-src-elem", "connect-src"] });
+  } finally {
+    await close();
+  }
+});
+
+test("a page whose solver cannot be loaded says so", async () => {
+  const context = await site.browser.newContext();
+  try {
+    const page = await context.newPage();
+    await page.route("**/*.wasm", (route) => route.abort());
+    await page.goto(site.origin);
+    await page.locator("#solve-faults li", { hasText: "the solver could not be loaded" }).waitFor();
+  } finally {
+    await context.close();
+  }
+});
+
+test("a solver that breaks off is replaced, and the page goes on", async () => {
+  const context = await site.browser.newContext();
+  try {
+    const page = await context.newPage();
+    // The real worker, which once dies in the middle of a call.
+    await page.route("**/worker.js", async (route) => {
+      const response = await route.fetch();
+      const body = `${await response.text()}
+        const answer = onmessage;
+        onmessage = (event) => {
+          if (event.data.args[1]?.speed === "123rpm") throw new Error("out of memory");
+          return answer(event);
+        };`;
+      await route.fulfill({ response, body });
+    });
+    await page.goto(site.origin);
+    await drawn(page);
+    await page.locator("#speed-number").fill("123");
+    await page.locator("#solve-faults li", { hasText: "broke off" }).waitFor();
+    await page.locator("#speed-number").fill("600");
+    await tableAt(page, "Frequencies at 600 rpm");
+    await page.locator("#solve-faults").waitFor({ state: "hidden" });
+  } finally {
+    await context.close();
+  }
+});
+
 for (const [width, height] of [[360, 740], [390, 844], [768, 1024], [1280, 800], [1920, 1080]]) {
   for (const colorScheme of ["light", "dark"]) {
     pageTest(`at ${width} px, ${colorScheme}: no sideways scrolling, the chart above the fold`, { viewport: { width, height }, colorScheme }, async (page) => {
