@@ -17,6 +17,27 @@ function element(name, attributes) {
   return made;
 }
 
+/**
+ * Puts a drawing of `chart_svg` in its place; `title` is what a screen reader says of it. A `crop`
+ * ({above, below} the first frame) leaves out the drawing's own title and notes.
+ */
+export function place(host, drawing, title, crop) {
+  const svg = parse(drawing.svg);
+  svg.setAttribute("role", "img");
+  svg.setAttribute("aria-label", title);
+  svg.removeAttribute("width");
+  svg.removeAttribute("height");
+  let { height } = drawing;
+  if (crop) {
+    const frame = drawing.plots[0];
+    height = crop.above + frame.height + crop.below;
+    svg.setAttribute("viewBox", `0 ${frame.top - crop.above} ${drawing.width} ${height}`);
+  }
+  host.style.aspectRatio = `${drawing.width} / ${height}`;
+  host.style.maxWidth = `${drawing.width}px`;
+  host.replaceChildren(svg);
+}
+
 export class Chart {
   #host;
   #onSpeed;
@@ -39,17 +60,10 @@ export class Chart {
 
   /** Shows a drawing of `chart_svg`; `title` is what a screen reader says of it. */
   show(drawing, title, isFan) {
-    const svg = parse(drawing.svg);
-    svg.setAttribute("role", "img");
-    svg.setAttribute("aria-label", title);
-    svg.removeAttribute("width");
-    svg.removeAttribute("height");
-    this.#host.style.aspectRatio = `${drawing.width} / ${drawing.height}`;
-    this.#host.style.maxWidth = `${drawing.width}px`;
+    place(this.#host, drawing, title);
     this.#host.classList.toggle("draggable", isFan);
     this.#plot = isFan ? drawing.plots[0] : null;
     this.#overlay = null;
-    this.#host.replaceChildren(svg);
     if (!isFan) return;
     this.#overlay = element("svg", { viewBox: `0 0 ${drawing.width} ${drawing.height}`, class: "overlay", "aria-hidden": "true" });
     this.#host.append(this.#overlay);

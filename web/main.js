@@ -27,11 +27,14 @@ const store = createStore({
   frequencyUnit: "rad/s",
   theme: "light",
   tab: "fan",
+  chosen: "1F", // the mode whose shape is shown beside the table
   width: 0,
+  sideWidth: 0, // of the shapes beside the table; 0 where there is no room
   fan: null,
   modes: null,
   margins: [],
   drawing: null,
+  side: null,
   solveFaults: [],
 });
 const client = new Client(() => new Worker(new URL("worker.js", import.meta.url), { type: "module" }), {
@@ -68,11 +71,17 @@ for (const tab of tabs) {
 
 startTheme(at("theme"), (theme) => store.set({ theme }));
 
+// As in style.css: from here on the table has a column of its own.
+const roomBeside = matchMedia("(min-width: 1180px)");
+
 /** The chart is drawn as wide as its place, and no taller than the window leaves room for. */
 function measure() {
   const room = at("panel").clientWidth;
   const high = innerHeight - 190;
-  store.set({ width: Math.round(Math.max(320, Math.min(room, high * 1.35, 1600))) });
+  store.set({
+    width: Math.round(Math.max(320, Math.min(room, high * 1.35, 1600))),
+    sideWidth: roomBeside.matches ? Math.max(320, at("modes").clientWidth) : 0,
+  });
 }
 let measuring;
 new ResizeObserver(() => {

@@ -53,6 +53,17 @@ export function startSolving(store, client) {
     take("draw", result, (value) => ({ drawing: { kind, name, ...value } }));
   }
 
+  /** The shapes of the chosen mode's degree of freedom, beside the table. */
+  async function drawSide(state) {
+    const { chosen, theme, sideWidth: width, speedUnit: speed_unit } = state;
+    const { dof } = state.modes.modes.find((mode) => mode.label === chosen) ?? state.modes.modes[0];
+    const options = { ...optionsOf("shapes", state), dof, theme, width, speed_unit };
+    const name = `${dof} mode shapes of ${state.blade.name}`;
+    const result = await client.call("side", "chart_svg", "shapes", state.blade, options);
+    // Its faults are those of the modes.
+    if (result?.status === "ok") store.set({ side: { name, ...result.value } });
+  }
+
   store.subscribe((state, changed) => {
     const any = (...keys) => keys.some((key) => changed.has(key));
     if (any("text")) parse(state.text);
@@ -62,5 +73,7 @@ export function startSolving(store, client) {
     if (solves || looks || (state.tab !== "fan" && any("speed"))) draw(state);
     if (solves || any("speed")) modes(state);
     if (solves) fan(state);
+    const beside = state.sideWidth > 0 && state.tab !== "shapes" && state.modes !== null;
+    if (beside && any("modes", "chosen", "theme", "tab", "sideWidth", "speedUnit")) drawSide(state);
   });
 }

@@ -1,34 +1,59 @@
-// The frequency table at one rotor speed.
+// The frequency table at one rotor speed. Its rows are the choice of a mode.
 
 import { figures, marginWords } from "./format.js";
 
-function cell(tag, text, full) {
-  const element = document.createElement(tag);
-  element.textContent = text;
-  if (full !== undefined) element.dataset.full = full;
-  return element;
+function newRow(mode, onChoose) {
+  const row = document.createElement("tr");
+  row.dataset.dof = mode.dof;
+  const head = document.createElement("th");
+  head.scope = "row";
+  // Radio buttons: one stop of the tab key, arrows from mode to mode.
+  const radio = document.createElement("input");
+  radio.type = "radio";
+  radio.name = "mode";
+  radio.value = mode.label;
+  radio.addEventListener("change", () => onChoose(mode.label));
+  const label = document.createElement("label");
+  label.append(radio, mode.label);
+  head.append(label);
+  row.append(head, ...Array.from({ length: 4 }, () => document.createElement("td")));
+  row.addEventListener("click", (event) => {
+    if (event.target.closest("label") !== null || !getSelection().isCollapsed) return;
+    radio.focus({ preventScroll: true });
+    radio.click();
+  });
+  return row;
+}
+
+function fill(row, mode, margin) {
+  const perRev = mode.per_rev === null ? "–" : mode.per_rev.toFixed(3);
+  const texts = [figures(mode.frequency_rad_s), figures(mode.frequency_hz), perRev, marginWords(margin)];
+  const full = [mode.frequency_rad_s, mode.frequency_hz, mode.per_rev ?? ""];
+  texts.forEach((text, i) => {
+    const cell = row.cells[i + 1];
+    cell.textContent = text;
+    if (i < full.length) cell.dataset.full = full[i];
+  });
 }
 
 /** Fills the table's body with one row per mode; `margins` is empty at rest. */
-export function showModes(body, report, margins) {
+export function showModes(body, report, margins, onChoose) {
   const marginOf = new Map(margins.map((margin) => [margin.label, margin]));
-  body.replaceChildren(
-    ...report.modes.map((mode) => {
-      const row = document.createElement("tr");
-      row.dataset.dof = mode.dof;
-      const head = cell("th", mode.label);
-      head.scope = "row";
-      const perRev = mode.per_rev === null ? "–" : mode.per_rev.toFixed(3);
-      row.append(
-        head,
-        cell("td", figures(mode.frequency_rad_s), mode.frequency_rad_s),
-        cell("td", figures(mode.frequency_hz), mode.frequency_hz),
-        cell("td", perRev, mode.per_rev ?? ""),
-        cell("td", marginWords(marginOf.get(mode.label))),
-      );
-      return row;
-    }),
-  );
+  const labels = [...body.rows].map((row) => row.cells[0].textContent);
+  // Rows stay while their modes do, and with them the focus.
+  if (labels.join() !== report.modes.map((mode) => mode.label).join()) {
+    body.replaceChildren(...report.modes.map((mode) => newRow(mode, onChoose)));
+  }
+  report.modes.forEach((mode, i) => fill(body.rows[i], mode, marginOf.get(mode.label)));
+}
+
+/** Shows which mode is chosen. */
+export function showChosen(body, chosen) {
+  for (const row of body.rows) {
+    const radio = row.querySelector("input");
+    radio.checked = radio.value === chosen;
+    row.classList.toggle("chosen", radio.checked);
+  }
 }
 
 /** One sentence on the mode nearest to a harmonic; empty at rest. */

@@ -1,20 +1,21 @@
 // Shows the state on the page.
 
 import { FIRST_BLADE, OWN } from "./blade.js";
+import { place } from "./chart.js";
 import { at } from "./dom.js";
 import { listFaults } from "./editor.js";
 import { faultPlace, fieldNumber } from "./format.js";
 import { showSpeed, shownSpeed, unitFactor } from "./speed.js";
-import { closestWords, showModes } from "./table.js";
+import { closestWords, showChosen, showModes } from "./table.js";
 
 const TITLES = { fan: "Fan chart", shapes: "Mode shapes", converge: "Convergence" };
 
-function showNumbers(state) {
+function showNumbers(state, onChoose) {
   const { modes } = state;
   if (modes === null) return;
   const speed = `${fieldNumber(shownSpeed(state.solvedSpeed, state))} ${state.speedUnit}`;
   at("numbers-title").textContent = `Frequencies at ${speed}${state.solvedSpeed === null ? ", nominal" : ""}`;
-  showModes(at("modes").tBodies[0], modes, state.margins);
+  showModes(at("modes").tBodies[0], modes, state.margins, onChoose);
   at("closest").textContent = closestWords(state.margins, speed);
   const counts = Object.values(modes.basis.functions).filter((count) => count !== null);
   at("model").textContent = `${modes.basis.family} functions, N = ${[...new Set(counts)].join(", ")}; ${state.about.model}`;
@@ -81,6 +82,14 @@ function showTab(tab) {
   at("frequency-field").hidden = tab === "shapes"; // they have no frequency axis
 }
 
+/** The shapes beside the table: the chosen mode stands out. */
+function showSide({ side, sideWidth, tab, chosen }, drawn) {
+  const host = at("side");
+  host.hidden = side === null || sideWidth === 0 || tab === "shapes";
+  if (drawn) place(host, side, side.name, { above: 24, below: 34 }); // its name and its axis
+  for (const group of host.querySelectorAll("[data-label]")) group.classList.toggle("chosen", group.dataset.label === chosen);
+}
+
 /** Shows every change of the state from now on. */
 export function startView(store, chart, editor) {
   store.subscribe((state, changed) => {
@@ -96,7 +105,9 @@ export function startView(store, chart, editor) {
       chart.show(state.drawing, `${TITLES[kind]} of ${name}`, kind === "fan");
     }
     if (any("fan", "modes", "speed", "speedUnit")) showSpeed(state);
-    if (any("modes", "fan", "speedUnit")) showNumbers(state);
+    if (any("modes", "fan", "speedUnit")) showNumbers(state, (chosen) => store.set({ chosen }));
+    if (any("modes", "chosen")) showChosen(at("modes").tBodies[0], state.chosen);
+    if (any("side", "chosen", "tab", "sideWidth")) showSide(state, any("side"));
     if (any("drawing", "modes")) markSpeed(chart, state);
     if (any("speed", "choice")) at("hint").hidden ||= state.speed !== null || state.choice !== FIRST_BLADE;
   });

@@ -181,6 +181,21 @@ pageTest("the speed is dragged on the chart, typed, and shown in other units", {
   await page.locator("#chart svg text", { hasText: "frequency [Hz]" }).waitFor();
 });
 
+pageTest("a mode is chosen in the table and its shape stands beside it", {}, async (page) => {
+  await page.locator('#side svg[aria-label="flap mode shapes of TM 4760 research blade"]').waitFor();
+  assert.equal(await page.locator("#side .chosen").first().getAttribute("data-label"), "1F");
+  await page.locator("#modes tbody tr", { hasText: "2T" }).click();
+  await page.locator('#side svg[aria-label="torsion mode shapes of TM 4760 research blade"]').waitFor();
+  assert.equal(await page.locator("#side .chosen").first().getAttribute("data-label"), "2T");
+  await page.keyboard.press("ArrowUp");
+  await page.locator('#side [data-label="1T"].chosen').first().waitFor();
+  await slide(page, 330);
+  await tableAt(page, "Frequencies at 330 rpm");
+  assert.equal(await page.evaluate(() => document.activeElement.value), "1T", "the focus stays while numbers change");
+  await page.locator("#tab-shapes").click();
+  await page.locator("#side").waitFor({ state: "hidden" });
+});
+
 pageTest("options reach the solver and their faults stand where they were made", {}, async (page) => {
   await page.locator("#option-modes").fill("2");
   await page.waitForFunction(() => document.querySelectorAll("#modes tbody tr").length === 6);
