@@ -185,6 +185,48 @@ proptest! {
         }
     }
 
+    /// Chart, shapes and convergence study show what the eigenproblem at that speed gives; the chart is interpolated.
+    #[test]
+    fn commands_agree(blade in blade(), dof in dof(), index in 0..41_usize) {
+        let checked = blade.blade();
+        let range = SpeedRange { from: 0.0, to: 1.5 * blade.nominal_speed, count: 41 };
+        let settings = Settings { speeds: Some(range), up_to: 15, ..settings(dof, range.speeds()[index], 15, 5) };
+        let solved: Vec<f64> = solve(&checked, dof, range.speeds()[index], 15, 5).iter().map(|m| m.frequency_rad_s).collect();
+        let chart: Vec<f64> = fan(&checked, &settings).unwrap().branches.iter().map(|b| b.frequency_rad_s[index]).collect();
+        same(&solved, &chart, ROUNDING)?;
+        let shapes: Vec<f64> = shapes(&checked, &settings).unwrap().shapes.iter().map(|s| s.frequency_rad_s).collect();
+        same(&solved, &shapes, ROUNDING)?;
+        let studied: Option<Vec<f64>> =
+            converge(&checked, &settings).unwrap().series.iter().map(|s| s.classical_rad_s[14]).collect();
+        same(&solved, &studied.unwrap(), ROUNDING)?;
+    }
+
+    /// Southwell's line starts on the branch, touches it, and stays above the first one.
+    #[test]
+    fn southwell_line_touches_the_branch_at_rest(blade in blade(), dof in dof()) {
+        let checked = blade.blade();
+        let settings = Settings {
+            speeds: Some(SpeedRange { from: 0.0, to: 1.5 * blade.nominal_speed, count: 7 }),
+            ..settings(dof, 0.0, 15, 3)
+        };
+        let chart = fan(&checked, &settings).unwrap();
+        for branch in &chart.branches {
+            let (k0, k1) = (branch.southwell.k0, branch.southwell.k1);
+            prop_assert!((branch.frequency_rad_s[0].powi(2) - k0).abs() <= ROUNDING * k0, "{:?}", branch);
+            if branch.number == 1 {
+                for (f, speed) in branch.frequency_rad_s.iter().zip(&chart.speeds_rad_s) {
+                    let line = k0 + k1 * speed * speed;
+                    prop_assert!(f * f <= line + ROUNDING * (k0 + k1.abs() * speed * speed), "{} above {}", f * f, line);
+                }
+            }
+            // A speed at which the centrifugal part is a thousandth of the elastic one, or any for a rigid motion.
+            let step = if k0 > 0.0 { (1e-3 * k0 / k1.abs().max(1e-6)).sqrt() } else { 1e-3 * blade.nominal_speed };
+            let there = frequencies(&blade, dof, step, 15, 3)[branch.number - 1].powi(2);
+            let slope = (there - k0) / (step * step);
+            prop_assert!((slope - k1).abs() <= 0.1 * k1.abs().max(0.1), "{}: slope {} against {}", branch.label, slope, k1);
+        }
+    }
+
     /// Every command, on every blade: an answer, and only numbers in it.
     #[test]
     fn every_command_answers_with_numbers(blade in blade(), harmonics in 1..20_u32) {
