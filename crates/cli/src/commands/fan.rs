@@ -1,7 +1,7 @@
 //! `fan`: the fan chart.
 
 use super::measured::{self, Compared};
-use super::{basis, heading, pick, speed};
+use super::{MODE_COLUMNS, basis, heading, margin_cells, pick, speed};
 use crate::args::{FanArgs, Format};
 use crate::failure::{Failure, warn};
 use crate::output::{self, Output};
@@ -101,26 +101,19 @@ fn branches(chart: &FanChart) -> Table {
 
 /// Every branch at nominal speed with the harmonic it is nearest to, and its Southwell line.
 fn margins(chart: &FanChart) -> Table {
-    let mut table = Table::new([
-        ("mode", Align::Left),
-        ("rad/s", Align::Point),
-        ("Hz", Align::Point),
-        ("/rev", Align::Point),
-        ("nearest", Align::Left),
-        ("margin\n[/rev]", Align::Point),
-        ("Southwell k0\n[rad²/s²]", Align::Point),
-        ("k1", Align::Point),
-    ]);
+    let southwell = [("Southwell k0\n[rad²/s²]", Align::Point), ("k1", Align::Point)];
+    let mut table = Table::new(MODE_COLUMNS.into_iter().chain(southwell));
     for branch in &chart.branches {
         let margin = chart.nominal.margins.iter().find(|margin| margin.label == branch.label);
         let frequency = margin.map(|margin| margin.per_rev * chart.nominal.speed_rad_s);
+        let [nearest, distance] = margin_cells(margin);
         table.row([
             Cell::label(&branch.label, Some(branch.dof)),
             Cell::maybe(frequency, 5),
             Cell::maybe(frequency.map(hz), 5),
             Cell::maybe(margin.map(|margin| margin.per_rev), 4),
-            Cell::text(margin.map_or_else(|| "-".into(), |margin| format!("{}P", margin.nearest_harmonic))),
-            margin.map_or_else(|| Cell::text("-"), |margin| Cell::signed(margin.margin_per_rev, 3)),
+            nearest,
+            distance,
             Cell::number(branch.southwell.k0, 5),
             Cell::number(branch.southwell.k1, 5),
         ]);

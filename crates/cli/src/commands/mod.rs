@@ -11,8 +11,8 @@ mod shapes;
 use crate::args::Command;
 use crate::failure::Failure;
 use crate::output::Output;
-use crate::table::{WIDTH, short, wrap};
-use bladefan_core::analysis::{BasisReport, MODEL};
+use crate::table::{Align, Cell, WIDTH, short, wrap};
+use bladefan_core::analysis::{BasisReport, MODEL, Margin};
 use bladefan_core::units;
 
 /// Runs a command; what it made is still to be written.
@@ -69,5 +69,23 @@ mod tests {
         assert_eq!(pick(2, 7), [0, 1]);
         assert_eq!(pick(1, 7), [0]);
         assert_eq!(pick(12, 7), [0, 2, 4, 6, 7, 9, 11], "eleven steps have no even split into four to six");
+    }
+}
+
+/// Headers of a mode at one rotor speed; [`margin_cells`] fills the last two.
+const MODE_COLUMNS: [(&str, Align); 6] = [
+    ("mode", Align::Left),
+    ("rad/s", Align::Point),
+    ("Hz", Align::Point),
+    ("/rev", Align::Point),
+    ("nearest", Align::Left),
+    ("margin\n[/rev]", Align::Point),
+];
+
+/// The nearest harmonic and the margin to it; there is none at rest.
+fn margin_cells(margin: Option<&Margin>) -> [Cell; 2] {
+    match margin {
+        Some(margin) => [Cell::text(format!("{}P", margin.nearest_harmonic)), Cell::signed(margin.margin_per_rev, 3)],
+        None => [Cell::text("-"), Cell::text("-")],
     }
 }

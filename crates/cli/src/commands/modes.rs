@@ -1,6 +1,6 @@
 //! `modes`: frequencies at one rotor speed.
 
-use super::{basis, heading, speed};
+use super::{MODE_COLUMNS, basis, heading, margin_cells, speed};
 use crate::args::{Format, ModesArgs};
 use crate::failure::{Failure, warn};
 use crate::output::{self, Output};
@@ -24,26 +24,17 @@ pub(super) fn run(args: &ModesArgs) -> Result<Output, Failure> {
 }
 
 fn table(report: &ModesReport) -> String {
-    let mut table = Table::new([
-        ("mode", Align::Left),
-        ("rad/s", Align::Point),
-        ("Hz", Align::Point),
-        ("/rev", Align::Point),
-        ("nearest", Align::Left),
-        ("margin\n[/rev]", Align::Point),
-        ("residual", Align::Point),
-    ]);
+    let mut table = Table::new(MODE_COLUMNS.into_iter().chain([("residual", Align::Point)]));
     let margins = analysis::margins(report);
     for (index, mode) in report.modes.iter().enumerate() {
-        // There is none at rest.
-        let margin = margins.get(index);
+        let [nearest, distance] = margin_cells(margins.get(index));
         table.row([
             Cell::label(&mode.label, Some(mode.dof)),
             Cell::number(mode.frequency_rad_s, 5),
             Cell::number(mode.frequency_hz, 5),
             Cell::maybe(mode.per_rev, 4),
-            Cell::text(margin.map_or_else(|| "-".into(), |at| format!("{}P", at.nearest_harmonic))),
-            margin.map_or_else(|| Cell::text("-"), |at| Cell::signed(at.margin_per_rev, 3)),
+            nearest,
+            distance,
             Cell::number(mode.residual, 1),
         ]);
     }
