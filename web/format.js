@@ -13,7 +13,7 @@ export function figures(value) {
 }
 
 /** A number for an input field: up to `digits` significant figures, no trailing zeros. */
-export function fieldNumber(value, digits = 6) {
+export function fieldNumber(value, digits = 5) {
   return String(Number(value.toPrecision(digits)));
 }
 

@@ -26,7 +26,7 @@ export function startSolving(store, client) {
     const result = await client.call("parse", "parse_blade", text);
     if (result === null) return;
     if (result.status === "ok") store.set({ blade: result.value, faults: [], warnings: result.warnings });
-    else store.set({ faults: result.faults });
+    else store.set({ faults: result.faults, warnings: [] });
   }
 
   async function fan(state) {

@@ -56,11 +56,12 @@ export function showChosen(body, chosen) {
   }
 }
 
-/** One sentence on the mode nearest to a harmonic; empty at rest. */
-export function closestWords(margins, speed) {
-  if (margins.length === 0) return "";
-  const closest = margins.reduce((a, b) => (Math.abs(b.margin_per_rev) < Math.abs(a.margin_per_rev) ? b : a));
-  return `${closest.label} is ${marginWords(closest, "/rev")} at ${speed}, the closest of these.`;
+/** One sentence on the mode nearest to one of the harmonics looked at; empty where none is near one, as at rest. */
+export function closestWords(margins, speed, harmonics = Infinity) {
+  const near = margins.filter((margin) => margin.nearest_harmonic <= harmonics);
+  if (near.length === 0) return "";
+  const closest = near.reduce((a, b) => (Math.abs(b.margin_per_rev) < Math.abs(a.margin_per_rev) ? b : a));
+  return `${closest.label} is ${marginWords(closest, "/rev")} at ${speed}, the closest${harmonics === Infinity ? "" : ` up to ${harmonics}P`}.`;
 }
 
 /** Copied cells carry every digit, in columns that a spreadsheet takes. */

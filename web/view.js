@@ -16,7 +16,7 @@ function showNumbers(state, onChoose) {
   const speed = `${fieldNumber(shownSpeed(state.solvedSpeed, state))} ${state.speedUnit}`;
   at("numbers-title").textContent = `Frequencies at ${speed}${state.solvedSpeed === null ? ", nominal" : ""}`;
   showModes(at("modes").tBodies[0], modes, state.margins, onChoose);
-  at("closest").textContent = closestWords(state.margins, speed);
+  at("closest").textContent = closestWords(state.margins, speed, state.fan?.harmonics);
   const counts = Object.values(modes.basis.functions).filter((count) => count !== null);
   at("model").textContent = `${modes.basis.family} functions, N = ${[...new Set(counts)].join(", ")}; ${state.about.model}`;
   document.title = `${modes.blade} – bladefan`;
@@ -86,7 +86,7 @@ function showTab(tab) {
 function showSide({ side, sideWidth, tab, chosen }, drawn) {
   const host = at("side");
   host.hidden = side === null || sideWidth === 0 || tab === "shapes";
-  if (drawn) place(host, side, side.name, { above: 24, below: 34 }); // its name and its axis
+  if (drawn) place(host, side, side.name, { above: 19, below: 34 }); // its name and its axis
   for (const group of host.querySelectorAll("[data-label]")) group.classList.toggle("chosen", group.dataset.label === chosen);
 }
 

@@ -51,6 +51,7 @@ pageTest("the first visit shows the TM 4760 blade and says what to try", {}, asy
   const table = await tableAt(page, "660 rpm, nominal");
   const { value } = await call(page, "modes", (await call(page, "parse_blade", await built(page, "tm4760"))).value);
   assert.deepEqual(table, Object.fromEntries(value.modes.map((mode) => [mode.label, mode.frequency_rad_s])));
+  assert.match(await page.locator("#closest").textContent(), /^1F is 0\.05\/rev above 1P at 660 rpm/);
   assert.match(await page.locator("#model").textContent(), /uncoupled, in vacuum, zero pitch/);
 });
 

@@ -5,6 +5,7 @@ import { test } from "node:test";
 import { convergeCsv, csv, fanCsv, fileName } from "../../web/download.js";
 import { faultPlace, fieldNumber, figures, marginWords, textOffset } from "../../web/format.js";
 import { createStore } from "../../web/state.js";
+import { closestWords } from "../../web/table.js";
 
 test("numbers have four significant figures and a real minus sign", () => {
   const cases = [
@@ -30,6 +31,16 @@ test("margins are said in words", () => {
   assert.equal(marginWords(margin(1, 0.0042)), "0.0042 above 1P");
   assert.equal(marginWords(margin(1, 1e-12)), "on 1P");
   assert.equal(marginWords(undefined), "–");
+});
+
+test("the closest mode is sought among the harmonics looked at", () => {
+  const margins = [
+    { label: "1F", nearest_harmonic: 1, margin_per_rev: 0.046 },
+    { label: "5L", nearest_harmonic: 30, margin_per_rev: 0.001 },
+  ];
+  assert.equal(closestWords(margins, "660 rpm", 10), "1F is 0.05/rev above 1P at 660 rpm, the closest up to 10P.");
+  assert.equal(closestWords(margins.slice(1), "660 rpm", 10), "");
+  assert.equal(closestWords([], "0 rpm", 10), "");
 });
 
 test("a place counts characters, not UTF-16 units", () => {
