@@ -3,6 +3,7 @@
 
 #![cfg(target_arch = "wasm32")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may stop")]
+#![allow(clippy::float_cmp, reason = "whole numbers that must arrive as they are")]
 #![allow(missing_docs, reason = "tests say it by their names")]
 
 use bladefan_wasm::{
@@ -13,6 +14,7 @@ use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 type Answer = Result<JsValue, JsError>;
+type Solver = fn(&JsValue, &JsValue) -> Answer;
 
 /// A value of JavaScript.
 fn js(source: &str) -> JsValue {
@@ -72,7 +74,7 @@ fn blade() -> JsValue {
 }
 
 /// Every export that takes a blade and options.
-const SOLVERS: [(&str, fn(&JsValue, &JsValue) -> Answer); 7] = [
+const SOLVERS: [(&str, Solver); 7] = [
     ("modes", modes),
     ("margins", margins),
     ("fan", fan),
