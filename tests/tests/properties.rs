@@ -1,9 +1,10 @@
 //! What must hold for every blade, tried on random ones.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
-use bladefan_core::analysis::{Settings, ShapeScale, SpeedRange, converge, fan, shapes};
+use bladefan_core::analysis::{Settings, ShapeScale, SpeedRange, converge, fan, modes, shapes};
 use bladefan_core::blade::{BladeDefinition, PropertyDefinition, check};
 use bladefan_core::dof::Dof;
+use bladefan_core::fault::FaultCode;
 use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit, Units};
 use bladefan_tests::blades::{End, Hold, Table, TestBlade};
 use bladefan_tests::random::{GRID, blade, cases, dof, step_at};
@@ -224,6 +225,58 @@ proptest! {
             let there = frequencies(&blade, dof, step, 15, 3)[branch.number - 1].powi(2);
             let slope = (there - k0) / (step * step);
             prop_assert!((slope - k1).abs() <= 0.1 * k1.abs().max(0.1), "{}: slope {} against {}", branch.label, slope, k1);
+        }
+    }
+
+    /// Blades that no one builds: numbers within twelve orders of 1, mass near the tip only. An answer in finite numbers, or a
+    /// fault that says why there is none.
+    #[test]
+    fn hostile_numbers_end_in_an_answer_or_a_fault(
+powers in prop::array::uniform5(-12.0..12.0_f64),
+        step in -4.0..4.0_f64,
+        bare in prop_oneof![Just(0.0), 0.5..0.999_f64],
+        dof in dof(),
+        hold in 0..3_usize,
+        functions in prop_oneof![Just(5_usize), Just(15), Just(30)],
+    ) {
+        let [radius, mass, stiffness, spring, speed] = powers.map(|power| 10_f64.powf(power));
+        let step = 10_f64.powf(step);
+        let hold = [Hold::Clamped, Hold::Free, Hold::Spring(spring)][hold];
+        let inertia = if bare > 0.0 {
+            Table { r: vec![0.0, bare * radius, bare * radius, radius], y: vec![0.0, 0.0, mass, mass] }
+        } else {
+            Table::uniform(mass)
+        };
+        let stepped = Table { r: [0.0, 0.3, 0.3, 1.0].map(|x| x * radius).into(), y: vec![stiffness, stiffness, stiffness * step, stiffness * step] };
+        let blade = TestBlade {
+            nominal_speed: speed,
+            mass: inertia.clone(),
+            polar_inertia: inertia,
+            stiffness: [stepped.clone(), stepped.clone(), stepped],
+            ..TestBlade::uniform(radius)
+        }
+        .with_root(dof, End { offset: 0.0, hold });
+        let Ok(checked) = check(&blade.definition()) else { return Ok(()) };
+        for speed in [0.0, speed] {
+            let settings = settings(dof, speed, functions, 5);
+            match modes(&checked, &settings) {
+                Ok(report) => {
+                    let found: Vec<f64> = report.modes.iter().map(|mode| mode.frequency_rad_s).collect();
+                    prop_assert!(found.iter().all(|f| f.is_finite() && *f >= 0.0), "{:?}", found);
+                    prop_assert!(found.windows(2).all(|pair| pair[0] <= pair[1]), "{:?}", found);
+                }
+                Err(faults) => prop_assert!(!faults.is_empty() && faults.iter().all(|f| f.code == FaultCode::Unsolvable)),
+            }
+            if let Ok(report) = shapes(&checked, &settings) {
+                for shape in &report.shapes {
+                    let numbers = shape.displacement.iter().chain(&shape.slope);
+                    prop_assert!(numbers.clone().all(|v| v.is_finite()), "{:?} {:?}", shape.label, shape.displacement);
+                }
+            }
+        }
+        if let Ok(chart) = fan(&checked, &Settings { speeds: None, ..settings(dof, 0.0, functions, 5) }) {
+            prop_assert!(chart.branches.iter().flat_map(|b| &b.frequency_rad_s).all(|f| f.is_finite()));
+            prop_assert!(chart.crossings.iter().all(|c| c.speed_rad_s.is_finite() && c.frequency_rad_s.is_finite()));
         }
     }
 
