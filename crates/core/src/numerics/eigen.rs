@@ -133,7 +133,24 @@ fn elastic(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<Eigen, Ei
         let factor = if largest < 0.0 { -1.0 } else { 1.0 } / sqrt(norm);
         vector.iter_mut().zip(scale.iter()).for_each(|(v, s)| *v *= factor * s);
     }
-    Ok(Eigen { values, vectors, residuals })
+    if values.iter().chain(&residuals).chain(&vectors).any(|v| !v.is_finite()) {
+        return Err(EigenError::NonFinite);
+    }
+    Ok(ascending(Eigen { values, vectors, residuals }))
+}
+
+/// The same modes by ascending λ: the quotients may have changed places where modes lie close.
+fn ascending(modes: Eigen) -> Eigen {
+    if modes.values.is_sorted() {
+        return modes;
+    }
+    let mut order: Vec<usize> = (0..modes.values.len()).collect();
+    order.sort_by(|&i, &j| f64::total_cmp(&modes.values[i], &modes.values[j]));
+    Eigen {
+        values: order.iter().map(|&i| modes.values[i]).collect(),
+        vectors: modes.vectors.select_columns(&order),
+        residuals: order.iter().map(|&i| modes.residuals[i]).collect(),
+    }
 }
 
 /// The `count` largest 1/λ, descending, and their vectors; 1/λ below what rounding leaves is 0.
@@ -225,6 +242,8 @@ mod tests {
         let one = DMatrix::<f64>::identity(2, 2);
         assert_eq!(lowest(&(-&one), &one, 1).unwrap_err(), EigenError::NotPositiveDefinite);
         assert_eq!(lowest(&(&one * f64::NAN), &one, 1).unwrap_err(), EigenError::NonFinite);
+        // λ itself is beyond f64.
+        assert_eq!(lowest(&(&one * 1e160), &(&one * 1e-155), 1).unwrap_err(), EigenError::NonFinite);
         let singular = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 0.0]));
         assert_eq!(lowest(&one, &singular, 2).unwrap_err(), EigenError::TooFewModes(1));
     }
