@@ -58,20 +58,6 @@ fn pick(len: usize, most: usize) -> Vec<usize> {
     picked
 }
 
-#[cfg(test)]
-mod tests {
-    use super::pick;
-
-    #[test]
-    fn picked_rows_are_evenly_spaced_where_possible() {
-        assert_eq!(pick(101, 7), [0, 20, 40, 60, 80, 100]);
-        assert_eq!(pick(101, 11), [0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 100]);
-        assert_eq!(pick(2, 7), [0, 1]);
-        assert_eq!(pick(1, 7), [0]);
-        assert_eq!(pick(12, 7), [0, 2, 4, 6, 7, 9, 11], "eleven steps have no even split into four to six");
-    }
-}
-
 /// Headers of a mode at one rotor speed; [`margin_cells`] fills the last two.
 const MODE_COLUMNS: [(&str, Align); 6] = [
     ("mode", Align::Left),
@@ -87,5 +73,19 @@ fn margin_cells(margin: Option<&Margin>) -> [Cell; 2] {
     match margin {
         Some(margin) => [Cell::text(format!("{}P", margin.nearest_harmonic)), Cell::signed(margin.margin_per_rev, 3)],
         None => [Cell::text("-"), Cell::text("-")],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::pick;
+
+    #[test]
+    fn picked_rows_are_evenly_spaced_where_possible() {
+        assert_eq!(pick(101, 7), [0, 20, 40, 60, 80, 100]);
+        assert_eq!(pick(101, 11), [0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 100]);
+        assert_eq!(pick(2, 7), [0, 1]);
+        assert_eq!(pick(1, 7), [0]);
+        assert_eq!(pick(12, 7), [0, 2, 4, 6, 7, 9, 11], "eleven steps have no even split into four to six");
     }
 }

@@ -120,8 +120,10 @@ impl Settings {
     pub fn set(&mut self, name: &str, text: &str) -> Result<(), Fault> {
         let refuse = |rule: &str| Err(option_fault(name, text, rule));
         match name {
+            // The range is looked at here too: only here is the value in the user's unit.
             "speed" => match parse_speed(text) {
-                Some(speed) => self.speed = Some(speed),
+                Some(speed) if in_range(speed) => self.speed = Some(speed),
+                Some(_) => return refuse(SPEED_RULE),
                 None => return refuse("must be a speed like 69.1, 660rpm, 11Hz or 69.1rad/s"),
             },
             "speeds" => match parse_range(text) {
@@ -173,7 +175,7 @@ impl Settings {
             }
         };
         if let Some(speed) = self.speed {
-            require(speed.is_finite() && speed >= 0.0, "speed", &speed, "must be finite and at least 0");
+            require(in_range(speed), "speed", &speed, SPEED_RULE);
         }
         if let Some(range) = self.speeds {
             let text = format!("{}:{}:{}", range.from, range.to, range.count);
@@ -211,6 +213,13 @@ impl Settings {
     pub fn ordered_dofs(&self) -> impl Iterator<Item = Dof> + '_ {
         Dof::ALL.into_iter().filter(|dof| self.dofs.contains(dof))
     }
+}
+
+/// What a rotor speed must be.
+const SPEED_RULE: &str = "must be finite and at least 0";
+
+fn in_range(speed: f64) -> bool {
+    speed.is_finite() && speed >= 0.0
 }
 
 fn option_fault(name: &str, value: &str, rule: &str) -> Fault {
