@@ -1,7 +1,7 @@
 // Time of one fan chart (TM 4760, 3 x 5 modes, 101 speeds, 15 functions, from the parsed blade) in
 // the package for Node, beside the native one:
 //
-//     scripts/wasm-package nodejs && node tests/bench/chart.mjs
+//     scripts/wasm-package && node tests/bench/chart.mjs
 //
 // The native time is measured in the same run, by `cargo bench -p bladefan-core -- --chart-time`.
 import { execFileSync } from "node:child_process";

@@ -12,7 +12,7 @@ const here = (path) => fileURLToPath(new URL(path, root));
 const binary = process.env.BLADEFAN ?? ["target/release/bladefan", "target/debug/bladefan"].map(here).find(existsSync);
 assert.ok(binary, "no bladefan to compare with: cargo build -p bladefan, or name one in BLADEFAN");
 const folder = process.env.BLADEFAN_PKG ?? here("crates/wasm/pkg-node");
-assert.ok(existsSync(folder), "no wasm package to compare with: scripts/wasm-package nodejs, or name one in BLADEFAN_PKG");
+assert.ok(existsSync(folder), "no wasm package to compare with: scripts/wasm-package, or name one in BLADEFAN_PKG");
 
 /** The wasm package. */
 export const pkg = createRequire(import.meta.url)(`${folder}/bladefan_wasm.js`);
