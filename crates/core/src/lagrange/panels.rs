@@ -23,8 +23,8 @@ impl Segment {
         Linear { from: self.from, inner, slope: (outer - inner) / (self.to - self.from) }
     }
 
-    /// Calls `f(a, b)` for equal panels of this segment, none longer than half a wave of the wave
-    /// number [rad/m]; returns nothing, the phase over each is given too.
+    /// Calls `f(a, b, phase)` for equal panels of this segment, none longer than half a wave of the
+    /// wave number [rad/m], with the phase over each.
     pub(super) fn panels(&self, wave_number: f64, mut f: impl FnMut(f64, f64, f64)) {
         let length = self.to - self.from;
         let count = ceil(wave_number * length / PI).max(1.0);
