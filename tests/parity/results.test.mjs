@@ -47,6 +47,8 @@ for (const entry of blades) {
   test(`${name}: shapes`, () => compare("shapes", entry, {}, 101 * 3 * 15));
   test(`${name}: shapes by mass`, () => compare("shapes", entry, { normalise: "mass", points: 11, speed: 0 }, 11 * 3 * 15));
   test(`${name}: converge`, () => compare("converge", entry, {}, 16 * 8));
+  // More modes than the 15 functions of the other commands: here the number of functions varies.
+  test(`${name}: converge with 16 modes`, () => compare("converge", entry, { modes: 16 }, 16 * 8));
   for (const kind of ["fan", "shapes", "converge"]) {
     for (const theme of ["light", "dark"]) {
       test(`${name}: drawing of ${kind}, ${theme}`, () => {

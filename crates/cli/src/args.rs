@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::help;
 use bladefan_core::analysis::Settings;
 use bladefan_core::chart::{ChartOptions, FrequencyUnit, Theme};
+use bladefan_core::fault::Fault;
 use bladefan_core::units::SpeedUnit;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
@@ -256,7 +257,8 @@ type Given<'a> = Vec<(&'static str, &'a Option<String>)>;
 
 /// Reads options into settings and checks them; every fault at once.
 fn read(given: Given<'_>) -> Result<Settings, Failure> {
-    checked(set(given)?)
+    let settings = set(given)?;
+    checked(&settings.check()).map(|()| settings)
 }
 
 fn set(given: Given<'_>) -> Result<Settings, Failure> {
@@ -269,12 +271,11 @@ fn set(given: Given<'_>) -> Result<Settings, Failure> {
             faults.push(fault);
         }
     }
-    if faults.is_empty() { Ok(settings) } else { Err(Failure::options(&faults)) }
+    checked(&faults).map(|()| settings)
 }
 
-fn checked(settings: Settings) -> Result<Settings, Failure> {
-    let faults = settings.check();
-    if faults.is_empty() { Ok(settings) } else { Err(Failure::options(&faults)) }
+fn checked(faults: &[Fault]) -> Result<(), Failure> {
+    if faults.is_empty() { Ok(()) } else { Err(Failure::options(faults)) }
 }
 
 impl SolverArgs {
@@ -321,9 +322,7 @@ impl ConvergeArgs {
     pub(crate) fn settings(&self) -> Result<Settings, Failure> {
         let mut given = vec![("speed", &self.speed.speed), ("up_to", &self.up_to)];
         given.extend(self.solver.given());
-        let mut settings = set(given)?;
-        // The number of functions is what varies here: its default must not limit the number of modes.
-        settings.functions = settings.functions.max(settings.modes);
-        checked(settings)
+        let settings = set(given)?;
+        checked(&settings.check_converge()).map(|()| settings)
     }
 }

@@ -143,7 +143,7 @@ fn read(options: &JsValue, analysis: Analysis, mut looks: Option<&mut Looks>) ->
         }
     }
     if faults.is_empty() {
-        faults = settings.check();
+        faults = if analysis == Analysis::Converge { settings.check_converge() } else { settings.check() };
     }
     if faults.is_empty() { Ok(settings) } else { Err(faults) }
 }

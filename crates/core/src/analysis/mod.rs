@@ -32,7 +32,7 @@ pub const MODEL: &str = "uncoupled, in vacuum, zero pitch, the paper's torsion t
 /// # Errors
 /// Faults in the settings, or equations without an answer.
 pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Vec<Fault>> {
-    sound(settings)?;
+    none(settings.check())?;
     let speed = settings.speed_or(blade.nominal_speed());
     let mut report = ModesReport {
         schema: "bladefan-modes/1",
@@ -71,7 +71,7 @@ pub fn margins(report: &ModesReport) -> Vec<Margin> {
 /// # Errors
 /// Faults in the settings, or equations without an answer.
 pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Vec<Fault>> {
-    sound(settings)?;
+    none(settings.check())?;
     let nominal = blade.nominal_speed();
     let range = settings.speeds_or(nominal);
     let mut chart = FanChart {
@@ -129,7 +129,7 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Vec<Fault>> {
 /// # Errors
 /// Faults in the settings, or equations without an answer.
 pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Vec<Fault>> {
-    sound(settings)?;
+    none(settings.check())?;
     let speed = settings.speed_or(blade.nominal_speed());
     let (inner, radius) = (blade.least_offset(), blade.radius());
     let last = settings.points - 1;
@@ -176,7 +176,7 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Vec<Fa
 /// # Errors
 /// Faults in the settings, or equations without an answer.
 pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Vec<Fault>> {
-    sound(settings)?;
+    none(settings.check_converge())?;
     let speed = settings.speed_or(blade.nominal_speed());
     let mut report = ConvergeReport {
         schema: "bladefan-converge/1",
@@ -253,8 +253,7 @@ pub fn summary(blade: &Blade) -> BladeSummary {
     }
 }
 
-fn sound(settings: &Settings) -> Result<(), Vec<Fault>> {
-    let faults = settings.check();
+fn none(faults: Vec<Fault>) -> Result<(), Vec<Fault>> {
     if faults.is_empty() { Ok(()) } else { Err(faults) }
 }
 

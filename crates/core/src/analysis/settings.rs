@@ -168,6 +168,16 @@ impl Settings {
 
     /// Every option that is outside its range.
     pub fn check(&self) -> Vec<Fault> {
+        self.faults(true)
+    }
+
+    /// The same for a convergence study: the number of functions varies there, so
+    /// [`functions`](Self::functions) does not limit the number of modes.
+    pub fn check_converge(&self) -> Vec<Fault> {
+        self.faults(false)
+    }
+
+    fn faults(&self, functions_act: bool) -> Vec<Fault> {
         let mut faults = Vec::new();
         let mut require = |holds: bool, name: &str, value: &dyn core::fmt::Display, rule: &str| {
             if !holds {
@@ -187,7 +197,8 @@ impl Settings {
         require((1..=MOST_MODES).contains(&self.modes), "modes", &self.modes, "must be from 1 to 50");
         require((1..=MOST_FUNCTIONS).contains(&self.functions), "functions", &self.functions, "must be from 1 to 200");
         let few = format!("must not be above functions ({})", self.functions);
-        require(self.modes <= self.functions || self.modes > MOST_MODES, "modes", &self.modes, &few);
+        let enough = !functions_act || self.modes <= self.functions || self.modes > MOST_MODES;
+        require(enough, "modes", &self.modes, &few);
         require((1..=MOST_FUNCTIONS).contains(&self.up_to), "up_to", &self.up_to, "must be from 1 to 200");
         require((1..=MOST_HARMONICS).contains(&self.harmonics), "harmonics", &self.harmonics, "must be from 1 to 100");
         require((2..=MOST_POINTS).contains(&self.points), "points", &self.points, "must be from 2 to 10001");
