@@ -54,6 +54,7 @@ extern crate std;
 
 pub mod analysis;
 pub mod blade;
+pub mod converged;
 #[cfg(feature = "chart")]
 pub mod chart;
 pub mod dof;

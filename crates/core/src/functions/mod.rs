@@ -1,9 +1,11 @@
 //! Assumed deformation functions: what a mode shape is a sum of.
 
 mod bending;
+mod piecewise;
 mod torsion;
 
 pub use bending::{BendingRoot, ClassicalBending};
+pub use piecewise::{Deformation, MOST_ORDER, Mesh, PiecewiseFunctions};
 pub use torsion::{ClassicalTorsion, TorsionRoot};
 
 /// An assumed function at one point, with its analytic derivatives.
@@ -29,6 +31,16 @@ pub trait AssumedFunctions {
     /// The largest wave number β of the functions [rad/m]: no function turns by more than β h over
     /// a distance h.
     fn wave_number(&self) -> f64;
+
+    /// Where, x from the root, a derivative may jump; none for smooth functions.
+    fn joints(&self) -> &[f64] {
+        &[]
+    }
+
+    /// Degree of functions that are polynomials between the joints; 0 for waves.
+    fn degree(&self) -> usize {
+        0
+    }
 
     /// All functions at `x` [m]; `out` holds [`count`](Self::count) samples.
     fn sample(&self, x: f64, out: &mut [Sample]);

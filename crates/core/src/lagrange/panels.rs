@@ -2,63 +2,74 @@
 
 use crate::blade::Blade;
 use crate::dof::Dof;
+use crate::functions::AssumedFunctions;
 use crate::numerics::PiecewiseLinear;
+use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::ceil;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 
 /// A stretch of the span within which every property is linear.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Segment {
+pub(crate) struct Segment {
     /// Inner end [m].
-    pub(super) from: f64,
+    pub(crate) from: f64,
     /// Outer end [m].
-    pub(super) to: f64,
+    pub(crate) to: f64,
 }
 
 impl Segment {
     /// The property at `r` inside this segment, from its limits at both ends.
-    pub(super) fn linear(&self, property: &PiecewiseLinear) -> Linear {
+    pub(crate) fn linear(&self, property: &PiecewiseLinear) -> Linear {
         let (inner, outer) = (property.limits(self.from).1, property.limits(self.to).0);
         Linear { from: self.from, inner, slope: (outer - inner) / (self.to - self.from) }
     }
 
-    /// Calls `f(a, b, phase)` for equal panels of this segment, none longer than half a wave of the
-    /// wave number [rad/m], with the phase over each.
-    pub(super) fn panels(&self, wave_number: f64, mut f: impl FnMut(f64, f64, f64)) {
+    /// Calls `f(a, b, rule)` for equal panels of this segment and the Gauss rule that integrates the
+    /// product of two of the functions and a cubic over each; none is longer than half a wave.
+    pub(super) fn panels<'a>(
+        &self,
+        functions: &dyn AssumedFunctions,
+        rules: &'a GaussRules,
+        mut f: impl FnMut(f64, f64, &'a [(f64, f64)]),
+    ) {
+        if functions.degree() > 0 {
+            return f(self.from, self.to, rules.with_points(functions.degree() + 2));
+        }
+        let wave_number = functions.wave_number();
         let length = self.to - self.from;
         let count = ceil(wave_number * length / PI).max(1.0);
-        let phase = wave_number * length / count;
+        let rule = rules.for_phase(wave_number * length / count);
         // `count` is a whole number of at most some hundreds: 200 functions have 200 half waves.
         let mut a = self.from;
         let mut i = 1.0;
         while i < count {
             let b = self.from + length * (i / count);
-            f(a, b, phase);
+            f(a, b, rule);
             a = b;
             i += 1.0;
         }
-        f(a, self.to, phase);
+        f(a, self.to, rule);
     }
 }
 
 /// A property within one segment.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Linear {
+pub(crate) struct Linear {
     from: f64,
     inner: f64,
     slope: f64,
 }
 
 impl Linear {
-    pub(super) fn at(&self, r: f64) -> f64 {
+    pub(crate) fn at(&self, r: f64) -> f64 {
         self.inner + self.slope * (r - self.from)
     }
 }
 
 /// The segments of a degree of freedom from its root to the tip, inner first; `extra` radii split
 /// segments too.
-pub(super) fn segments(blade: &Blade, dof: Dof, extra: &[f64]) -> Vec<Segment> {
+pub(crate) fn segments(blade: &Blade, dof: Dof, extra: &[f64]) -> Vec<Segment> {
     let (root, radius) = (blade.root(dof).offset, blade.radius());
     let properties: &[&PiecewiseLinear] = match dof {
         Dof::Flap | Dof::Lag => &[blade.mass(), blade.stiffness(dof)],

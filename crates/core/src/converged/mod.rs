@@ -1,0 +1,295 @@
+//! The converged answer: piecewise functions, as many as it takes.
+//!
+//! A blade has some hundred of them. Their lowest modes at a few speeds, found by inverse iteration
+//! in time proportional to the number of elements, span a small space in which those of all other
+//! speeds lie to far below the tolerance; so a few functions come out, with matrices like those of
+//! any others. How good they are is measured by how far their modes are from equilibrium.
+
+mod elements;
+mod mesh;
+mod space;
+
+use crate::blade::Blade;
+use crate::dof::Dof;
+use crate::functions::{Deformation, PiecewiseFunctions};
+use crate::lagrange::{Fields, FromTip, Grid, SystemMatrices, assemble, moment_gaps};
+use crate::numerics::eigen::EigenError;
+use crate::numerics::quadrature::GaussRules;
+use crate::numerics::scalar::{ceil, ln};
+use alloc::vec;
+use alloc::vec::Vec;
+use elements::Elements;
+use mesh::{Layout, first_layout};
+use nalgebra::DMatrix;
+use space::Space;
+
+/// Relative error of an eigenvalue that is aimed at.
+pub const TOLERANCE: f64 = 1e-10;
+/// Most times the orders are raised.
+const MOST_ROUNDS: usize = 8;
+/// Inverse iteration ends when the share of its vectors that is new falls below this; the error of
+/// an eigenvalue is then below the square of it.
+const SETTLED: f64 = 1e-4;
+/// Most rounds of inverse iteration at one speed.
+const MOST_ITERATIONS: usize = 8;
+/// Where the modes are sought first, and then, as shares of the range of Ω².
+const ANCHORS: [f64; 3] = [0.5, 0.0, 1.0];
+/// Where the answer is checked besides, as shares of the range of Ω².
+const CHECKS: [f64; 2] = [1.0, 0.2];
+/// A direction with less than this beside those there are is left out.
+const NOTHING_NEW: f64 = 1e-8;
+
+/// The lowest modes of one degree of freedom over a range of rotor speeds, as a few functions.
+#[derive(Clone, Debug)]
+pub struct Converged {
+    elements: Elements,
+    /// Strain coefficients of the functions that came out.
+    coefficients: DMatrix<f64>,
+    matrices: SystemMatrices,
+    count: usize,
+    error: f64,
+}
+
+impl Converged {
+    /// Functions for the `count` lowest modes at every `from` ≤ Ω² ≤ `to` [rad²/s²].
+    ///
+    /// # Errors
+    /// [`EigenError`].
+    pub fn new(
+        blade: &Blade,
+        dof: Dof,
+        (from, to): (f64, f64),
+        count: usize,
+        rules: &GaussRules,
+    ) -> Result<Self, EigenError> {
+        let mut layout = first_layout(blade, dof, to, count);
+        let mut last: Option<Self> = None;
+        let mut settled = SETTLED;
+        for _ in 0..MOST_ROUNDS {
+            let elements = Elements::new(blade, dof, &layout, rules);
+            let (found, shares) = Self::on(elements, (from, to), count, settled, rules)?;
+            settled *= 0.1;
+            let best = last.as_ref().is_none_or(|last| found.error < last.error);
+            let error = found.error;
+            if best {
+                last = Some(found);
+            }
+            if error <= TOLERANCE || !raise(&mut layout, &shares) {
+                break;
+            }
+        }
+        last.ok_or(EigenError::NotConverged)
+    }
+
+    /// The same on given elements of `order` polynomials each: how fast the family converges.
+    ///
+    /// # Errors
+    /// [`EigenError`].
+    pub fn with_order(
+        blade: &Blade,
+        dof: Dof,
+        speed_squared: f64,
+        count: usize,
+        order: usize,
+        rules: &GaussRules,
+    ) -> Result<Self, EigenError> {
+        let mut layout = first_layout(blade, dof, speed_squared, count);
+        layout.orders.fill(order);
+        let elements = Elements::new(blade, dof, &layout, rules);
+        Ok(Self::on(elements, (speed_squared, speed_squared), count, SETTLED, rules)?.0)
+    }
+
+    /// Inverse iteration on one mesh; with the largest share that each element has in the errors.
+    fn on(
+        elements: Elements,
+        (from, to): (f64, f64),
+        count: usize,
+        settled: f64,
+        rules: &GaussRules,
+    ) -> Result<(Self, Vec<f64>), EigenError> {
+        let range = to > from;
+        let at = |share: f64| if range { from + share * (to - from) } else { to };
+        let anchors = if range { &ANCHORS[..] } else { &ANCHORS[..1] };
+        let start = at(ANCHORS[0]);
+        let chain = elements.factor(start).ok_or(EigenError::NotPositiveDefinite)?;
+        let mut space = Space::new(&elements, start);
+        space.push_turned_root(&chain, start);
+        // One degree above the rigid motion, so that no symmetry hides a mode from it.
+        let x: Vec<f64> = elements.grid.x().collect();
+        space.push_start(&chain, |k| if elements.torsion { x[k] } else { x[k] * x[k] });
+        let mut next = 0;
+        while space.members() < 2 * count + 2 && next < space.members() {
+            space.push_next(&chain, next);
+            next += 1;
+        }
+        // Columns over the clamped functions: what comes out.
+        let mut out: Vec<Vec<f64>> = Vec::new();
+        let rigid = usize::from(elements.root_turns());
+        let mut modes = Vec::new();
+        for (index, share) in anchors.iter().enumerate() {
+            let s = at(*share);
+            let here;
+            let chain = if index == 0 {
+                &chain
+            } else {
+                here = elements.factor(s).ok_or(EigenError::NotPositiveDefinite)?;
+                &here
+            };
+            for _ in 0..MOST_ITERATIONS {
+                let found = space.ritz(s, count)?;
+                let mut new = 0.0_f64;
+                for (q, value) in found.vectors.column_iter().zip(&found.values) {
+                    // A rigid mode is exact.
+                    if *value > 0.0 {
+                        let motion = space.motion(q.as_slice());
+                        new = new.max(space.push_response(chain, &motion));
+                    }
+                }
+                if new < settled {
+                    break;
+                }
+            }
+            modes.push(s);
+        }
+        for s in modes {
+            let found = space.ritz(s, count)?;
+            for q in found.vectors.column_iter() {
+                add_direction(&mut out, q.as_slice()[rigid..].to_vec());
+            }
+        }
+        let (error, shares) = check(&elements, &space, &at, range, count, rules)?;
+        for column in &mut out {
+            column.resize(space.len() - rigid, 0.0);
+        }
+        let clamped = DMatrix::from_fn(space.len() - rigid, out.len(), |i, j| out[j][i]);
+        let mut all = DMatrix::zeros(space.len(), out.len() + rigid);
+        all.view_mut((rigid, rigid), clamped.shape()).copy_from(&clamped);
+        if rigid == 1 {
+            all[(0, 0)] = 1.0;
+        }
+        let matrices = assemble(&elements.grid, space.energies(), rigid == 1).reduced(&all);
+        let coefficients = space.coefficients(&clamped);
+        let functions = elements.mesh.count() + rigid;
+        Ok((Self { coefficients, matrices, count: functions, error, elements }, shares))
+    }
+
+    /// The matrices of the functions that came out.
+    pub fn matrices(&self) -> &SystemMatrices {
+        &self.matrices
+    }
+
+    /// How many piecewise functions the answer is made of.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Estimate of the largest relative error of an eigenvalue; above [`TOLERANCE`] where that was
+    /// not reached.
+    pub fn error(&self) -> f64 {
+        self.error
+    }
+
+    /// The points at which [`fields`](Self::fields) stand.
+    pub fn grid(&self) -> &Grid {
+        &self.elements.grid
+    }
+
+    /// What sums of the functions that came out (columns of `coordinates`) do along the span.
+    pub fn fields(&self, coordinates: &DMatrix<f64>) -> Fields {
+        let rigid = usize::from(self.elements.root_turns());
+        let points = self.elements.grid.len();
+        let n = coordinates.ncols();
+        let mut fields = Fields {
+            motion: DMatrix::zeros(points, n),
+            turn: DMatrix::zeros(points, n),
+            strain: DMatrix::zeros(points, n),
+            root_turn: vec![0.0; n],
+        };
+        let motion = self.elements.rigid();
+        for (column, q) in coordinates.column_iter().enumerate() {
+            let sum = &self.coefficients * q.rows(rigid, q.nrows() - rigid);
+            let vector = self.elements.vector(sum.as_slice().to_vec());
+            let turn = if rigid == 1 { q[0] } else { 0.0 };
+            fields.root_turn[column] = turn;
+            for k in 0..points {
+                fields.motion[(k, column)] = vector.motion[k] + turn * motion[k];
+                fields.turn[(k, column)] = vector.turn[k] + turn;
+                fields.strain[(k, column)] = vector.strain[k];
+            }
+        }
+        fields
+    }
+
+    /// The functions themselves.
+    pub fn functions(&self) -> PiecewiseFunctions {
+        let deformation = if self.elements.torsion { Deformation::Torsion } else { Deformation::Bending };
+        let mesh = self.elements.mesh.clone();
+        PiecewiseFunctions::new(mesh, deformation, self.elements.root_turns(), self.coefficients.clone())
+    }
+}
+
+/// Adds what a direction has beside those there are, at unit length.
+fn add_direction(out: &mut Vec<Vec<f64>>, mut direction: Vec<f64>) {
+    let length = |v: &[f64]| crate::numerics::scalar::sqrt(v.iter().map(|v| v * v).sum());
+    let before = length(&direction);
+    for _ in 0..2 {
+        for known in out.iter() {
+            let along: f64 = known.iter().zip(&direction).map(|(a, b)| a * b).sum();
+            direction.iter_mut().zip(known).for_each(|(v, k)| *v -= along * k);
+        }
+    }
+    let after = length(&direction);
+    if after > NOTHING_NEW * before {
+        direction.iter_mut().for_each(|v| *v /= after);
+        out.push(direction);
+    }
+}
+
+/// The largest relative error of an eigenvalue over the speeds that are checked, and the largest
+/// error that each element is to blame for.
+fn check(
+    elements: &Elements,
+    space: &Space,
+    at: &dyn Fn(f64) -> f64,
+    range: bool,
+    count: usize,
+    rules: &GaussRules,
+) -> Result<(f64, Vec<f64>), EigenError> {
+    let grid = &elements.grid;
+    let from_tip = FromTip::new(grid, rules);
+    let (mut error, mut shares) = (0.0_f64, vec![0.0_f64; grid.cells().len()]);
+    for share in if range { &CHECKS[..] } else { &CHECKS[..1] } {
+        let s = at(*share);
+        let found = space.ritz(s, count)?;
+        let rigid = found.values.iter().take_while(|value| **value == 0.0).count();
+        let fields = space.fields(&found.vectors);
+        let gaps = moment_gaps(grid, &from_tip, &fields, &found.values, rigid, s);
+        let energies = gaps.energies(grid);
+        for (mode, value) in found.values.iter().enumerate().skip(rigid) {
+            error = error.max(energies[(mode, mode)] * value);
+            let column = gaps.moment.column(mode);
+            for (cell, share) in grid.cells().iter().zip(&mut shares) {
+                let own: f64 =
+                    cell.points.clone().map(|k| grid.weight()[k] * column[k] * column[k] / grid.stiffness()[k]).sum();
+                *share = share.max(own * value);
+            }
+        }
+    }
+    Ok((error, shares))
+}
+
+/// Raises the orders of the elements that are to blame; false where nothing is left to raise.
+fn raise(layout: &mut Layout, shares: &[f64]) -> bool {
+    let fair = 0.1 * TOLERANCE / shares.len() as f64;
+    let mut raised = false;
+    for (order, share) in layout.orders.iter_mut().zip(shares) {
+        if *share > fair && *order < crate::functions::MOST_ORDER {
+            // Each order more takes off a factor of ten or so, fewer where the strain turns fast.
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to some tens")]
+            let more = ceil(ln(*share / fair) / 4.0).clamp(1.0, 8.0) as usize;
+            *order = (*order + more).min(crate::functions::MOST_ORDER);
+            raised = true;
+        }
+    }
+    raised
+}
