@@ -54,9 +54,9 @@ extern crate std;
 
 pub mod analysis;
 pub mod blade;
-pub mod converged;
 #[cfg(feature = "chart")]
 pub mod chart;
+pub mod converged;
 pub mod dof;
 pub mod fan;
 pub mod fault;

@@ -6,9 +6,7 @@ use crate::converged::Converged;
 use crate::dof::Dof;
 use crate::fault::Fault;
 use crate::functions::AssumedFunctions;
-use crate::lagrange::{
-    Bounds, Energies, Fields, FromTip, Grid, SystemMatrices, assemble, bounds, classical_functions,
-};
+use crate::lagrange::{Bounds, Energies, Fields, FromTip, Grid, SystemMatrices, assemble, bounds, classical_functions};
 use crate::modes::{self, Mode, SolveError};
 use crate::numerics::quadrature::GaussRules;
 use alloc::boxed::Box;

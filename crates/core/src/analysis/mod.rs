@@ -23,12 +23,12 @@ use crate::numerics::eigen::EigenError;
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::{round, sqrt};
 use crate::units;
-use basis::{Basis, Classical, converged, solve};
 use alloc::boxed::Box;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
+use basis::{Basis, Classical, converged, solve};
 
 /// One plain line that says what the model is; it stands with every table and chart.
 pub const MODEL: &str = "uncoupled, in vacuum, zero pitch, the paper's torsion term";

@@ -84,9 +84,8 @@ impl Elements {
             pull.clear();
             pull.extend(self.grid.weighted(self.grid.pull()).skip(cell.points.start).take(cell.points.len()));
             let table = self.tables[order].as_ref().unwrap_or_else(|| unreachable!());
-            let triple = |w: &[f64], a: &[f64], b: &[f64]| -> f64 {
-                w.iter().zip(a).zip(b).map(|((w, a), b)| w * a * b).sum()
-            };
+            let triple =
+                |w: &[f64], a: &[f64], b: &[f64]| -> f64 { w.iter().zip(a).zip(b).map(|((w, a), b)| w * a * b).sum() };
             for j in 0..order {
                 for i in 0..order {
                     // The lower triangle is used; a linear stiffness couples neighbours only.

@@ -11,11 +11,11 @@ mod space;
 
 use crate::blade::Blade;
 use crate::dof::Dof;
-use crate::functions::{Deformation, PiecewiseFunctions};
+use crate::functions::{Deformation, MOST_ORDER, PiecewiseFunctions};
 use crate::lagrange::{Fields, FromTip, Grid, SystemMatrices, assemble, moment_gaps};
-use crate::numerics::eigen::EigenError;
+use crate::numerics::eigen::{EigenError, lowest};
 use crate::numerics::quadrature::GaussRules;
-use crate::numerics::scalar::{ceil, ln};
+use crate::numerics::scalar::{ceil, ln, sqrt};
 use alloc::vec;
 use alloc::vec::Vec;
 use elements::Elements;
@@ -29,7 +29,7 @@ pub const TOLERANCE: f64 = 1e-10;
 const MOST_ROUNDS: usize = 8;
 /// Inverse iteration ends when the share of its vectors that is new falls below this; the error of
 /// an eigenvalue is then below the square of it.
-const SETTLED: f64 = 1e-4;
+const SETTLED: f64 = 1e-3;
 /// Most rounds of inverse iteration at one speed.
 const MOST_ITERATIONS: usize = 8;
 /// Where the modes are sought first, and then, as shares of the range of Ω².
@@ -64,7 +64,7 @@ impl Converged {
     ) -> Result<Self, EigenError> {
         let mut layout = first_layout(blade, dof, to, count);
         let mut last: Option<Self> = None;
-        let mut settled = SETTLED;
+        let mut settled = if to > from { SETTLED } else { 0.1 * SETTLED };
         for _ in 0..MOST_ROUNDS {
             let elements = Elements::new(blade, dof, &layout, rules);
             let (found, shares) = Self::on(elements, (from, to), count, settled, rules)?;
@@ -157,7 +157,6 @@ impl Converged {
                 add_direction(&mut out, q.as_slice()[rigid..].to_vec());
             }
         }
-        let (error, shares) = check(&elements, &space, &at, range, count, rules)?;
         for column in &mut out {
             column.resize(space.len() - rigid, 0.0);
         }
@@ -170,7 +169,35 @@ impl Converged {
         let matrices = assemble(&elements.grid, space.energies(), rigid == 1).reduced(&all);
         let coefficients = space.coefficients(&clamped);
         let functions = elements.mesh.count() + rigid;
-        Ok((Self { coefficients, matrices, count: functions, error, elements }, shares))
+        let mut found = Self { coefficients, matrices, count: functions, error: 0.0, elements };
+        let mut shares = vec![0.0; found.elements.grid.cells().len()];
+        let from_tip = FromTip::new(&found.elements.grid, rules);
+        for share in if range { &CHECKS[..] } else { &CHECKS[..1] } {
+            found.check(at(*share), count, &from_tip, &mut shares)?;
+        }
+        Ok((found, shares))
+    }
+
+    /// Raises the error to the largest of an eigenvalue at Ω² = `s`, and the share of each element
+    /// to the largest error that it is to blame for.
+    fn check(&mut self, s: f64, count: usize, from_tip: &FromTip, shares: &mut [f64]) -> Result<(), EigenError> {
+        let grid = &self.elements.grid;
+        let shift = if grid.dof() == Dof::Lag { s } else { 0.0 };
+        let g = self.matrices.stiffness() + self.matrices.centrifugal() * s + self.matrices.mass() * shift;
+        let found = lowest(&g, self.matrices.mass(), count)?;
+        let rigid = found.values.iter().take_while(|value| **value == 0.0).count();
+        let gaps = moment_gaps(grid, from_tip, &self.fields(&found.vectors), &found.values, rigid, s);
+        let energies = gaps.energies(grid);
+        for (mode, value) in found.values.iter().enumerate().skip(rigid) {
+            self.error = self.error.max(energies[(mode, mode)] * value);
+            let column = gaps.moment.column(mode);
+            for (cell, share) in grid.cells().iter().zip(shares.iter_mut()) {
+                let own: f64 =
+                    cell.points.clone().map(|k| grid.weight()[k] * column[k] * column[k] / grid.stiffness()[k]).sum();
+                *share = share.max(own * value);
+            }
+        }
+        Ok(())
     }
 
     /// The matrices of the functions that came out.
@@ -230,7 +257,7 @@ impl Converged {
 
 /// Adds what a direction has beside those there are, at unit length.
 fn add_direction(out: &mut Vec<Vec<f64>>, mut direction: Vec<f64>) {
-    let length = |v: &[f64]| crate::numerics::scalar::sqrt(v.iter().map(|v| v * v).sum());
+    let length = |v: &[f64]| sqrt(v.iter().map(|v| v * v).sum());
     let before = length(&direction);
     for _ in 0..2 {
         for known in out.iter() {
@@ -245,49 +272,16 @@ fn add_direction(out: &mut Vec<Vec<f64>>, mut direction: Vec<f64>) {
     }
 }
 
-/// The largest relative error of an eigenvalue over the speeds that are checked, and the largest
-/// error that each element is to blame for.
-fn check(
-    elements: &Elements,
-    space: &Space,
-    at: &dyn Fn(f64) -> f64,
-    range: bool,
-    count: usize,
-    rules: &GaussRules,
-) -> Result<(f64, Vec<f64>), EigenError> {
-    let grid = &elements.grid;
-    let from_tip = FromTip::new(grid, rules);
-    let (mut error, mut shares) = (0.0_f64, vec![0.0_f64; grid.cells().len()]);
-    for share in if range { &CHECKS[..] } else { &CHECKS[..1] } {
-        let s = at(*share);
-        let found = space.ritz(s, count)?;
-        let rigid = found.values.iter().take_while(|value| **value == 0.0).count();
-        let fields = space.fields(&found.vectors);
-        let gaps = moment_gaps(grid, &from_tip, &fields, &found.values, rigid, s);
-        let energies = gaps.energies(grid);
-        for (mode, value) in found.values.iter().enumerate().skip(rigid) {
-            error = error.max(energies[(mode, mode)] * value);
-            let column = gaps.moment.column(mode);
-            for (cell, share) in grid.cells().iter().zip(&mut shares) {
-                let own: f64 =
-                    cell.points.clone().map(|k| grid.weight()[k] * column[k] * column[k] / grid.stiffness()[k]).sum();
-                *share = share.max(own * value);
-            }
-        }
-    }
-    Ok((error, shares))
-}
-
 /// Raises the orders of the elements that are to blame; false where nothing is left to raise.
 fn raise(layout: &mut Layout, shares: &[f64]) -> bool {
     let fair = 0.1 * TOLERANCE / shares.len() as f64;
     let mut raised = false;
     for (order, share) in layout.orders.iter_mut().zip(shares) {
-        if *share > fair && *order < crate::functions::MOST_ORDER {
+        if *share > fair && *order < MOST_ORDER {
             // Each order more takes off a factor of ten or so, fewer where the strain turns fast.
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to some tens")]
             let more = ceil(ln(*share / fair) / 4.0).clamp(1.0, 8.0) as usize;
-            *order = (*order + more).min(crate::functions::MOST_ORDER);
+            *order = (*order + more).min(MOST_ORDER);
             raised = true;
         }
     }

@@ -2,7 +2,7 @@
 
 use super::elements::{Elements, Vector};
 use crate::blade::RootCondition;
-use crate::lagrange::{Energies, Fields, dot};
+use crate::lagrange::{Energies, dot};
 use crate::numerics::chain::Chain;
 use crate::numerics::eigen::{Eigen, EigenError, lowest};
 use crate::numerics::scalar::sqrt;
@@ -114,7 +114,8 @@ impl<'a> Space<'a> {
 
     /// Adds a vector to be iterated, less what the members have of it, and its clamped part.
     fn push_member(&mut self, turn: f64, vector: Vector) -> bool {
-        let mut member = Member { turn, coefficients: vector.coefficients, motion: vector.motion, weighted: Vec::new() };
+        let mut member =
+            Member { turn, coefficients: vector.coefficients, motion: vector.motion, weighted: Vec::new() };
         if let Some(rigid) = self.rigid.as_ref().filter(|_| turn != 0.0) {
             subtract(&mut member.motion, -turn, rigid);
         }
@@ -150,14 +151,17 @@ impl<'a> Space<'a> {
         let mut before = given;
         for pass in 0..2 {
             for (known, weighted) in self.functions.iter().zip(&self.weighted).skip(first) {
-                let along =
-                    dot(&weighted.strain, &vector.strain) + self.anchor * dot(&weighted.turn, &vector.turn);
+                let along = dot(&weighted.strain, &vector.strain) + self.anchor * dot(&weighted.turn, &vector.turn);
                 subtract(&mut vector.coefficients, along, &known.coefficients);
                 subtract(&mut vector.strain, along, &known.strain);
                 subtract(&mut vector.turn, along, &known.turn);
+                subtract(&mut vector.motion, along, &known.motion);
             }
-            vector = self.elements.vector(vector.coefficients);
             let after = self.length(&vector);
+            if after <= ONCE_MORE * before {
+                // So much has cancelled that the fields are no longer those of the coefficients.
+                vector = self.elements.vector(vector.coefficients);
+            }
             if !(after > NOTHING_NEW * before && after.is_finite()) {
                 return 0.0;
             }
@@ -176,16 +180,14 @@ impl<'a> Space<'a> {
 
     /// The length in the clamped potential energy at the first anchor.
     fn length(&self, vector: &Vector) -> f64 {
-        let square = |weights: &[f64], values: &[f64]| -> f64 {
-            weights.iter().zip(values).map(|(w, v)| w * v * v).sum()
-        };
+        let square =
+            |weights: &[f64], values: &[f64]| -> f64 { weights.iter().zip(values).map(|(w, v)| w * v * v).sum() };
         sqrt(square(&self.rigidities, &vector.strain) + self.anchor * square(&self.pulls, &vector.turn))
     }
 
     fn add(&mut self, vector: Vector) {
-        let times = |weights: &[f64], values: &[f64]| -> Vec<f64> {
-            weights.iter().zip(values).map(|(w, v)| w * v).collect()
-        };
+        let times =
+            |weights: &[f64], values: &[f64]| -> Vec<f64> { weights.iter().zip(values).map(|(w, v)| w * v).collect() };
         let weighted = Vector {
             coefficients: Vec::new(),
             motion: times(&self.masses, &vector.motion),
@@ -235,22 +237,6 @@ impl<'a> Space<'a> {
             first_moment: self.weighted.iter().map(|f| f.motion.iter().sum()).collect(),
             root_turn,
         }
-    }
-
-    /// What sums of the functions (columns of `coordinates`) do at the points of the grid.
-    pub(super) fn fields(&self, coordinates: &DMatrix<f64>) -> Fields {
-        let points = self.elements.grid.len();
-        let combine = |part: fn(&Vector) -> &Vec<f64>| {
-            let mut out = DMatrix::zeros(points, coordinates.ncols());
-            for (column, factors) in out.as_mut_slice().chunks_exact_mut(points).zip(coordinates.column_iter()) {
-                for (function, factor) in self.functions.iter().zip(factors.iter()) {
-                    subtract(column, -factor, part(function));
-                }
-            }
-            out
-        };
-        let root = if self.rigid.is_some() { coordinates.row(0).iter().copied().collect() } else { vec![0.0; coordinates.ncols()] };
-        Fields { motion: combine(|f| &f.motion), turn: combine(|f| &f.turn), strain: combine(|f| &f.strain), root_turn: root }
     }
 
     /// Strain coefficients of sums of the clamped functions, one column of `coordinates` per sum.

@@ -29,7 +29,13 @@ pub struct ShapeTables {
 }
 
 /// Tabulates the functions of one degree of freedom at ascending `radii` [m].
-pub fn tabulate(blade: &Blade, dof: Dof, functions: &dyn AssumedFunctions, radii: &[f64], rules: &GaussRules) -> ShapeTables {
+pub fn tabulate(
+    blade: &Blade,
+    dof: Dof,
+    functions: &dyn AssumedFunctions,
+    radii: &[f64],
+    rules: &GaussRules,
+) -> ShapeTables {
     let (n, p) = (functions.count(), radii.len());
     let root = blade.root(dof).offset;
     let mut tables = ShapeTables {

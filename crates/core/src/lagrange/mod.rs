@@ -11,6 +11,6 @@ pub use assembly::{Energies, SystemMatrices, assemble, classical_functions, tors
 pub use bounds::{Bounds, Interval, bounds};
 pub use equilibrium::{ShapeTables, tabulate};
 pub use gap::{FromTip, MomentGaps, moment_gaps};
-pub use grid::{Cell, Fields, Grid};
 pub(crate) use grid::dot;
+pub use grid::{Cell, Fields, Grid};
 pub(crate) use panels::segments;

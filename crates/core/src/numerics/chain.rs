@@ -144,11 +144,8 @@ mod tests {
     #[test]
     fn a_chain_of_unlike_links_is_solved() {
         let counts = [2_usize, 1, 3];
-        let matrices: [Vec<f64>; 3] = [
-            vec![4.0, 1.0, 1.0, 3.0],
-            vec![0.5],
-            vec![2.0, 0.1, 0.2, 0.1, 1.0, 0.3, 0.2, 0.3, 5.0],
-        ];
+        let matrices: [Vec<f64>; 3] =
+            [vec![4.0, 1.0, 1.0, 3.0], vec![0.5], vec![2.0, 0.1, 0.2, 0.1, 1.0, 0.3, 0.2, 0.3, 5.0]];
         let couplings: [Vec<f64>; 3] = [vec![0.2, -0.1], vec![0.3], vec![0.1, 0.4, -0.2]];
         let (own, reach) = ([0.7, 0.5, 0.9], [2.0, 0.01, 0.5]);
         let n: usize = counts.iter().sum();
@@ -174,12 +171,8 @@ mod tests {
             }
             first += counts[e];
         }
-        let links = (0..3).rev().map(|e| Link {
-            matrix: &matrices[e],
-            coupling: &couplings[e],
-            own: own[e],
-            reach: reach[e],
-        });
+        let links =
+            (0..3).rev().map(|e| Link { matrix: &matrices[e], coupling: &couplings[e], own: own[e], reach: reach[e] });
         let chain = Chain::factor(links).unwrap();
         let mut load = vec![1.0, -2.0, 0.5, 3.0, 0.1, -0.7];
         let on_state = [0.3, -0.4, 1.1];
