@@ -1,9 +1,11 @@
 //! Speed of the solver, and of the paper's own algorithm on the same matrices.
 //!
 //! `cargo bench -p bladefan-core` measures everything and ends with the ratios. With
-//! `-- --chart-time` only the time of one fan chart is printed, in milliseconds.
+//! `-- --chart-time` only three times are printed, in milliseconds: of one converged fan chart, of
+//! one with the paper's functions, and of one speed with bounds.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints, and stops on a fault")]
 
+mod converged;
 mod march;
 
 use bladefan_core::analysis::{BasisFamily, Settings, fan, modes};
@@ -87,16 +89,21 @@ fn parts(criterion: &mut Criterion, blade: &Blade) {
         b.iter(|| matrices(black_box(blade), FUNCTIONS));
     });
     group.bench_function("one speed from assembled matrices", |b| b.iter(|| one_speed(black_box(&assembled), speed)));
-    let settings = chart_settings(BasisFamily::Classical);
-    group.bench_function("one speed from the parsed blade", |b| b.iter(|| modes(black_box(blade), &settings).unwrap()));
+    let settings = chart_settings(BasisFamily::Piecewise);
+    group.bench_function("one speed with bounds and the paper's values", |b| {
+        b.iter(|| modes(black_box(blade), &settings).unwrap())
+    });
     group.finish();
 }
 
 fn chart(criterion: &mut Criterion, blade: &Blade) {
     let mut group = criterion.benchmark_group("fan chart, 3 x 5 modes, 101 speeds, 15 functions");
-    let settings = chart_settings(BasisFamily::Classical);
-    group
-        .bench_function("this solver, from the parsed blade", |b| b.iter(|| fan(black_box(blade), &settings).unwrap()));
+    for basis in [BasisFamily::Piecewise, BasisFamily::Classical] {
+        let settings = chart_settings(basis);
+        group.bench_function(format!("{}, from the checked blade", basis.name()), |b| {
+            b.iter(|| fan(black_box(blade), &settings).unwrap());
+        });
+    }
     let assembled = matrices(blade, FUNCTIONS);
     let speed = blade.nominal_speed();
     group.bench_function("paper's algorithm, one of the 101 speeds", |b| {
@@ -167,6 +174,16 @@ fn ratios(blade: &Blade) {
         1e3 * chart,
         marched / chart
     );
+    let one_by_one = best(11, || {
+        let assembled = matrices(blade, FUNCTIONS);
+        speeds.iter().for_each(|&speed| drop(black_box(one_speed(&assembled, speed))));
+    });
+    println!(
+        "The {} dense problems of that chart one by one: {:.2} ms, ratio {:.1}.",
+        3 * speeds.len(),
+        1e3 * one_by_one,
+        one_by_one / chart
+    );
     println!(
         "For scale: the paper reports {REPORTED} s for ONE speed (Fig. 8, 2 GHz computer, 2014); our whole chart takes {:.2} % of that.",
         100.0 * chart / REPORTED
@@ -194,5 +211,6 @@ fn main() {
     // `cargo test` runs each measurement once, as a test, and has no use for ratios.
     if std::env::args().any(|argument| argument == "--bench") {
         ratios(&blade);
+        converged::ratios(&blade);
     }
 }
