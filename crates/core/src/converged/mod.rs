@@ -117,8 +117,10 @@ impl Converged {
         // One degree above the rigid motion, so that no symmetry hides a mode from it.
         let x: Vec<f64> = elements.grid.x().collect();
         space.push_start(&chain, |k| if elements.torsion { x[k] } else { x[k] * x[k] });
+        // Fewer for a range: its ends give theirs, too.
+        let wanted = if range { 2 * count } else { 2 * count + 2 };
         let mut next = 0;
-        while space.members() < 2 * count + 2 && next < space.members() {
+        while space.members() < wanted && next < space.members() {
             space.push_next(&chain, next);
             next += 1;
         }
@@ -287,3 +289,6 @@ fn raise(layout: &mut Layout, shares: &[f64]) -> bool {
     }
     raised
 }
+
+#[cfg(test)]
+mod tests;

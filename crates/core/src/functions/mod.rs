@@ -8,6 +8,8 @@ pub use bending::{BendingRoot, ClassicalBending};
 pub use piecewise::{Deformation, MOST_ORDER, Mesh, PiecewiseFunctions};
 pub use torsion::{ClassicalTorsion, TorsionRoot};
 
+use alloc::vec;
+
 /// An assumed function at one point, with its analytic derivatives.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sample {
@@ -44,6 +46,19 @@ pub trait AssumedFunctions {
 
     /// All functions at `x` [m]; `out` holds [`count`](Self::count) samples.
     fn sample(&self, x: f64, out: &mut [Sample]);
+
+    /// All functions at `middle` + each of `offsets` [m], which are symmetric: the first is minus the
+    /// last, and so on. `out` holds the samples function by function. Functions of waves share a
+    /// sine and an exponential between the two points of a pair.
+    fn sample_about(&self, middle: f64, offsets: &[f64], out: &mut [Sample]) {
+        let mut samples = vec![Sample::default(); self.count()];
+        for (k, offset) in offsets.iter().enumerate() {
+            self.sample(middle + offset, &mut samples);
+            for (i, sample) in samples.iter().enumerate() {
+                out[i * offsets.len() + k] = *sample;
+            }
+        }
+    }
 }
 
 #[cfg(test)]

@@ -224,12 +224,21 @@ impl Fields {
             root_turn: Vec::with_capacity(n),
         };
         let torsion = grid.dof == Dof::Torsion;
-        for (point, x) in grid.x().enumerate() {
-            functions.sample(x, &mut samples);
-            for (i, sample) in samples.iter().enumerate() {
-                fields.motion[(point, i)] = sample.value;
-                fields.turn[(point, i)] = if torsion { sample.value } else { sample.slope };
-                fields.strain[(point, i)] = if torsion { sample.slope } else { sample.curvature };
+        let mut about = Vec::new();
+        let mut offsets = Vec::new();
+        for cell in &grid.cells {
+            let middle = 0.5 * (cell.from + cell.to);
+            offsets.clear();
+            offsets.extend(grid.radius[cell.points.clone()].iter().map(|r| r - middle));
+            about.clear();
+            about.resize(n * offsets.len(), Sample::default());
+            functions.sample_about(middle - grid.root, &offsets, &mut about);
+            for (i, samples) in about.chunks_exact(offsets.len()).enumerate() {
+                for (point, sample) in cell.points.clone().zip(samples) {
+                    fields.motion[(point, i)] = sample.value;
+                    fields.turn[(point, i)] = if torsion { sample.value } else { sample.slope };
+                    fields.strain[(point, i)] = if torsion { sample.slope } else { sample.curvature };
+                }
             }
         }
         functions.sample(0.0, &mut samples);
