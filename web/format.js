@@ -43,7 +43,7 @@ function roundedUp(value) {
 /** "±2·10⁻⁹" around the frequency, or both bounds where they are far apart. */
 export function boundsWords({ frequency_rad_s: frequency, lower_rad_s: lower, upper_rad_s: upper }) {
   if (lower === null || upper === null) return "–";
-  if (!(upper - lower <= CONVERGED * frequency || upper === lower)) return `${figures(lower)} … ${figures(upper)}, not converged`;
+  if (!(upper - lower <= CONVERGED * frequency || upper === lower)) return `${figures(lower)}\u00a0…\u00a0${figures(upper)}, not\u00a0converged`;
   const half = Math.max(frequency - lower, upper - frequency, 0);
   return frequency === 0 && half === 0 ? "exact" : `±${roundedUp(half)}`;
 }
