@@ -25,8 +25,8 @@ impl Bounded {
     }
 
     pub(super) fn converged(self) -> bool {
-        // Written so that bounds that are no numbers are not converged.
-        self.upper - self.lower <= CONVERGED * self.frequency || self.upper == self.lower
+        // Written so that bounds that are no numbers are not converged, and bounds of zero are.
+        self.upper - self.lower <= CONVERGED * self.frequency
     }
 
     /// `±2e-9`, or both bounds where they are far apart.
@@ -61,7 +61,7 @@ pub(super) fn advice(family: BasisFamily, modes: impl IntoIterator<Item = Option
 pub(crate) fn percent(value: Option<f64>, reference: Option<f64>) -> Option<f64> {
     let (value, reference) = (value?, reference?);
     // A frequency of zero is met or it is not.
-    if value == reference {
+    if value == 0.0 && reference == 0.0 {
         return Some(0.0);
     }
     Some(100.0 * (value / reference - 1.0)).filter(|percent| percent.is_finite())

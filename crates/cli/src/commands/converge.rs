@@ -10,6 +10,7 @@ use crate::{csv, drawing, input, json, progress};
 use bladefan_core::analysis::{self, BasisFamily, ConvergeReport, ConvergeSeries};
 use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::dof::Dof;
+use core::fmt::Write as _;
 
 /// What the paper calls converged.
 const PAPER: usize = 15;
@@ -47,7 +48,8 @@ fn table(report: &ConvergeReport) -> String {
     for dof in Dof::ALL {
         let series: Vec<_> = report.series.iter().filter(|series| series.dof == dof).collect();
         if !series.is_empty() {
-            text += &format!("\nError [%] of N piecewise functions, {dof}\n{}", piecewise(&series).render());
+            // Writing to a string does not fail.
+            let _ = write!(text, "\nError [%] of N piecewise functions, {dof}\n{}", piecewise(&series).render());
         }
     }
     text

@@ -52,14 +52,13 @@ fn basis(report: &BasisReport) -> String {
         .zip([counts.flap, counts.lag, counts.torsion])
         .filter_map(|(dof, count)| Some((dof, count?)))
         .collect();
-    match (report.family, known.first()) {
-        // The user chose one number for all.
-        (BasisFamily::Classical, Some((_, count))) => format!("classical, {count} functions"),
-        _ => {
-            let each: String = known.iter().map(|(dof, count)| format!(", {dof} {count}")).collect();
-            format!("{} functions{each}", report.family.name())
-        }
+    // The user chose one number of classical functions for all.
+    if let (BasisFamily::Classical, Some((_, count))) = (report.family, known.first()) {
+        return format!("classical, {count} functions");
     }
+    let each = known.iter().map(|(dof, count)| format!("{dof} {count}"));
+    let words: Vec<String> = core::iter::once(format!("{} functions", report.family.name())).chain(each).collect();
+    words.join(", ")
 }
 
 /// Indices of at most `most` of `len` rows: first and last, evenly spaced where that is possible.
