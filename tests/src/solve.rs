@@ -12,13 +12,7 @@ pub fn settings(dof: Dof, speed: f64, functions: usize, count: usize) -> Setting
 
 /// Settings for one degree of freedom: `count` modes of the piecewise functions at `speed` [rad/s].
 pub fn converged_settings(dof: Dof, speed: f64, count: usize) -> Settings {
-    Settings {
-        basis: BasisFamily::Piecewise,
-        speed: Some(speed),
-        modes: count,
-        dofs: vec![dof],
-        ..Settings::default()
-    }
+    Settings { basis: BasisFamily::Piecewise, speed: Some(speed), modes: count, dofs: vec![dof], ..Settings::default() }
 }
 
 /// Modes of a checked blade.

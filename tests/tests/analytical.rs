@@ -343,8 +343,8 @@ fn piecewise_springs() {
     assert_above(&converged(&blade, Dof::Torsion, 0.0, 10), &CONTROL_SPRING, CONVERGED, "control spring");
 }
 
-/// The string again. Its elements follow the layer at the tip, which is √EI wide, so the stiffness
-/// can be so small that three values of it extrapolate over the terms in EI and EI^(3/2).
+/// The string again. Three stiffnesses extrapolate over the terms in EI and EI^(3/2); what is left
+/// falls faster than EI: measured 1.4e-9 to 2.6e-6 at EI = 1e-8, 7e-11 to 1.1e-7 at 1e-9.
 #[test]
 fn piecewise_spinning_string() {
     let squares = |stiffness: f64| {
@@ -353,14 +353,14 @@ fn piecewise_spinning_string() {
             .with_stiffness(Dof::Flap, Table::uniform(stiffness));
         converged(&blade, Dof::Flap, 1.0, 5).into_iter().map(|f| f * f).collect::<Vec<f64>>()
     };
-    let values = [1e-9, 4e-9, 16e-9].map(squares);
-    for i in 0..5 {
+    let values = [1e-8, 4e-8, 16e-8].map(squares);
+    for (i, tolerance) in [1e-13, 2e-9, 6e-8, 6e-7, 4e-6].into_iter().enumerate() {
         // First the term in EI, by steps of 4, then that in EI^(3/2), by steps of 8.
         let linear = |k: usize| (4.0 * values[k][i] - values[k + 1][i]) / 3.0;
         let found = (8.0 * linear(0) - linear(1)) / 7.0;
         let k = (i + 1) as f64;
-        let error = found / (k * (2.0 * k - 1.0)) - 1.0;
-        println!("string {k}: {error:e}");
+        let expected = k * (2.0 * k - 1.0);
+        assert!((found / expected - 1.0).abs() < tolerance, "mode {}: ω² {found} against {expected}", i + 1);
     }
 }
 
@@ -376,7 +376,6 @@ fn piecewise_rigid_blade_on_an_offset_hinge() {
         let restoring = 1.5 * e / (1.0 - e);
         for (dof, expected) in [(Dof::Flap, 1.0 + restoring), (Dof::Lag, restoring)] {
             let found = 2.0 * squares(2e4, dof) - squares(1e4, dof);
-            println!("rigid {e} {dof}: {:e}", found / expected - 1.0);
             assert!((found / expected - 1.0).abs() < CONVERGED, "{dof}, e = {e}: ω² {found} against {expected}");
         }
     }
@@ -390,7 +389,6 @@ fn piecewise_tapered_blade() {
     blade.mass = Table { r: vec![0.0, 1.0], y: vec![1.0, 0.5] };
     for (speed, exact) in TAPERED {
         let found = converged(&blade, Dof::Flap, speed, 3);
-        println!("{:?}", found.iter().zip(exact).map(|(f,e)| f/e-1.0).collect::<Vec<_>>());
         assert_above(&found, &exact, 1e-5, &format!("tapered at {speed} rad/s"));
     }
 }
