@@ -45,7 +45,8 @@ impl Case<'_> {
     /// centrifugal part of a flap or torsion mode, at most of the order of Ω². A soft spring is
     /// compared with a moment that is rounded like the moments of the elastic motion.
     fn rounding(&self, square: f64, elastic: f64) -> f64 {
-        let soft = if matches!(self.blade.roots[self.dof.index()].hold, Hold::Spring(_)) { 1e-14 * elastic } else { 0.0 };
+        let soft =
+            if matches!(self.blade.roots[self.dof.index()].hold, Hold::Spring(_)) { 1e-14 * elastic } else { 0.0 };
         2.0 * ROUNDING * (square + self.speed * self.speed) + soft
     }
 

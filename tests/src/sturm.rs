@@ -19,14 +19,14 @@ impl Exact {
         if self.dof == Dof::Torsion { self.count_twisting(speed, square) } else { self.count_bending(speed, square) }
     }
 
-    /// The eigenvalue ω² of this number, from 1, bisected by counting to 50 bits: slow, but it cannot
-    /// be mistaken for another. The panels must be short enough for it.
+    /// The eigenvalue ω² of this number, from 1, bisected by counting: slow, but it cannot be
+    /// mistaken for another. The panels must be short enough for it.
     pub fn eigenvalue(&self, speed: f64, number: usize) -> f64 {
         let (mut low, mut high) = (0.0, 1.0);
         while self.count_below(speed, high) < number && high < 1e30 {
             (low, high) = (high, 4.0 * high);
         }
-        for _ in 0..60 {
+        for _ in 0..150 {
             let middle = 0.5 * (low + high);
             if self.count_below(speed, middle) < number {
                 low = middle;
