@@ -103,3 +103,47 @@ fn negative([[a, b], [c, d]]: [[f64; 2]; 2]) -> usize {
         0
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blades::{End, TestBlade};
+
+    /// Below and above each known value; the panels must suit the highest.
+    fn assert_counted(blade: &TestBlade, dof: Dof, speed: f64, known: &[f64]) {
+        let exact = Exact::new(blade, dof, speed, 2.0 * known.last().unwrap());
+        for (i, f) in known.iter().enumerate() {
+            let counts = [1.0 - 1e-9, 1.0 + 1e-9].map(|factor| exact.count_below(speed, (f * factor).powi(2)));
+            assert_eq!(counts, [i, i + 1], "{dof} at {speed}, around {f}");
+            assert!((exact.eigenvalue(speed, i + 1).sqrt() / f - 1.0).abs() < 2e-11, "{dof} at {speed}, {f}");
+        }
+    }
+
+    // Values: those of the tests of the shooting itself.
+    #[test]
+    fn known_eigenvalues_are_counted() {
+        let uniform = TestBlade::uniform(1.0);
+        assert_counted(
+            &uniform,
+            Dof::Flap,
+            12.0,
+            &[13.170_150_487_506_18, 37.603_112_331_191_87, 79.614_478_489_457_21],
+        );
+        let hinged = uniform.with_root(Dof::Flap, End::free(0.0));
+        assert_counted(&hinged, Dof::Flap, 12.0, &[12.0, 33.760_301_346_797_75]);
+        let stepped = [51.261_342_728_553_76, 309.123_053_635_655_4, 828.445_457_357_597_8];
+        assert_counted(&TestBlade::stepped(), Dof::Flap, 0.0, &stepped);
+        let twisting = [0.5, 1.5, 2.5].map(|i: f64| i * core::f64::consts::PI);
+        assert_counted(&TestBlade::uniform(1.0), Dof::Torsion, 0.0, &twisting);
+    }
+
+    #[test]
+    fn a_free_root_at_rest_counts() {
+        let blade =
+            TestBlade::uniform(1.0).with_root(Dof::Flap, End::free(0.0)).with_root(Dof::Torsion, End::spring(0.0, 0.0));
+        for dof in [Dof::Flap, Dof::Torsion] {
+            let exact = Exact::new(&blade, dof, 0.0, 10.0);
+            assert_eq!([-1e-6, 1e-6].map(|square| exact.count_below(0.0, square)), [0, 1], "{dof}");
+        }
+    }
+}
