@@ -16,6 +16,9 @@ use nalgebra::{DMatrix, DVector};
 /// Share of the gap below λ_{n+1} at which ρ stands: far above λ_n, and below λ_{n+1} by many times
 /// its error.
 const SEPARATION: f64 = 0.8;
+/// Modes with less than this part of the last one's x/(1 − x) are bounded apart from it: the
+/// eigensolver cannot tell them from 0 beside it.
+const SPREAD: f64 = 1e-10;
 /// Relative rounding of an energy that is a sum of squares over the points of a blade, generously.
 const ROUNDING: f64 = 1e-13;
 
@@ -86,17 +89,28 @@ pub fn bounds(
 /// A0 − ρ A1 and A0 − 2ρ A1 + ρ² A2, become after scaling −diag(x/(1 − x)) and I + N,
 /// N_ij = √(λ_i λ_j) E_ij / ((1 − x_i)(1 − x_j)), with E the complementary energies of the gaps:
 /// nothing cancels, and where the gaps vanish so does the distance of the bounds. s = −t.
+///
+/// Modes that lie far below the rest come after them, with the lowest bound of the rest as their ρ.
 fn lower_bounds(values: &[f64], energies: &DMatrix<f64>, first: usize, separation: f64) -> Vec<f64> {
     let n = values.len();
+    let ratio = |value: f64| value / (separation - value);
+    let far = values.iter().take_while(|value| ratio(**value) < SPREAD * ratio(values[n - 1])).count();
     let scale = |i: usize| sqrt(values[i]) / (1.0 - values[i] / separation);
-    let g = DMatrix::from_fn(n, n, |i, j| {
+    let g = DMatrix::from_fn(n - far, n - far, |i, j| {
         let own = if i == j { 1.0 } else { 0.0 };
-        own + scale(i) * scale(j) * energies[(first + i, first + j)]
+        own + scale(far + i) * scale(far + j) * energies[(first + far + i, first + far + j)]
     });
-    let m = DMatrix::from_diagonal(&DVector::from_fn(n, |i, _| values[i] / (separation - values[i])));
+    let m = DMatrix::from_diagonal(&DVector::from_fn(n - far, |i, _| ratio(values[far + i])));
     // (I + N) z = (1/s) diag(x/(1 − x)) z; the highest mode has the smallest 1/s.
-    let Ok(eigen) = lowest(&g, &m, n) else { return vec![0.0; n] };
-    eigen.values.iter().rev().map(|inverse| separation / (1.0 + inverse)).collect()
+    let Ok(eigen) = lowest(&g, &m, n - far) else { return vec![0.0; n] };
+    let mut bounds: Vec<f64> = eigen.values.iter().rev().map(|inverse| separation / (1.0 + inverse)).collect();
+    if far > 0 {
+        let next = bounds[0];
+        let below =
+            if next > values[far - 1] { lower_bounds(&values[..far], energies, first, next) } else { vec![0.0; far] };
+        bounds.splice(..0, below);
+    }
+    bounds
 }
 
 /// How far rounding may have moved each eigenvalue: that of the sums of squares, and how far the

@@ -54,7 +54,8 @@ pub struct Grid {
 
 impl Grid {
     /// For assumed functions: points enough to integrate any product of two of them times a
-    /// cubic, and `more` in each cell.
+    /// cubic. With `more` points in each cell, and cells cut where the stiffness tapers, such products
+    /// may also be divided by the stiffness.
     pub fn for_functions(
         blade: &Blade,
         dof: Dof,
@@ -63,7 +64,11 @@ impl Grid {
         more: usize,
     ) -> Self {
         let mut grid = Self::empty(blade, dof);
-        let joints: Vec<f64> = functions.joints().iter().map(|x| grid.root + x).collect();
+        let mut joints: Vec<f64> = functions.joints().iter().map(|x| grid.root + x).collect();
+        if more > 0 {
+            let stiffness = blade.stiffness(dof);
+            joints.extend(segments(blade, dof, &[]).iter().flat_map(|segment| segment.taper_cuts(stiffness)));
+        }
         for segment in segments(blade, dof, &joints) {
             segment.panels(functions, rules, |from, to, rule| {
                 grid.push(blade, segment, from, to, rules.with_points(rule.len() + more));

@@ -5,9 +5,13 @@ use crate::dof::Dof;
 use crate::functions::AssumedFunctions;
 use crate::numerics::PiecewiseLinear;
 use crate::numerics::quadrature::GaussRules;
-use crate::numerics::scalar::ceil;
+use crate::numerics::scalar::{ceil, ln, pow};
 use alloc::vec::Vec;
 use core::f64::consts::PI;
+
+/// Largest ratio of a property at the ends of a part made by [`Segment::taper_cuts`]: Gauss rules of
+/// n points integrate smooth functions divided by it to 3⁻²ⁿ.
+const TAPER: f64 = 4.0;
 
 /// A stretch of the span within which every property is linear.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +27,16 @@ impl Segment {
     pub(crate) fn linear(&self, property: &PiecewiseLinear) -> Linear {
         let (inner, outer) = (property.limits(self.from).1, property.limits(self.to).0);
         Linear { from: self.from, inner, slope: (outer - inner) / (self.to - self.from) }
+    }
+
+    /// Radii inside the segment that cut it where a positive property has changed by [`TAPER`] or less.
+    pub(super) fn taper_cuts(&self, property: &PiecewiseLinear) -> impl Iterator<Item = f64> {
+        let (from, length) = (self.from, self.to - self.from);
+        let (inner, outer) = (property.limits(self.from).1, property.limits(self.to).0);
+        let ratio = outer / inner;
+        let parts = ceil(ln(ratio).abs() / ln(TAPER));
+        let share = move |i: f64| (pow(ratio, i / parts) - 1.0) / (ratio - 1.0);
+        (1_u16..).map(f64::from).take_while(move |i| *i < parts).map(move |i| from + share(i) * length)
     }
 
     /// Calls `f(a, b, rule)` for equal panels of this segment and the Gauss rule that integrates the
