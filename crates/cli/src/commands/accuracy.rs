@@ -71,6 +71,7 @@ pub(crate) fn percent(value: Option<f64>, reference: Option<f64>) -> Option<f64>
 pub(super) fn difference(percent: Option<f64>) -> String {
     match percent {
         None => "-".into(),
+        Some(0.0) => "0".into(),
         Some(percent) if percent.abs() < LEAST_DIFFERENCE => "<0.0001".into(),
         Some(percent) => format!("{percent:+.*}", decimals(percent, 2).min(4)),
     }
@@ -86,6 +87,7 @@ pub(super) fn difference_cell(percent: Option<f64>) -> Cell {
 pub(super) fn error_cell(percent: Option<f64>) -> Cell {
     Cell::text(match percent.map(f64::abs) {
         None => "-".into(),
+        Some(0.0) => "0".into(),
         Some(percent) if percent < LEAST_ERROR => "<1e-10".into(),
         Some(percent) if percent < LEAST_DIFFERENCE => format!("{percent:.0e}"),
         Some(percent) => significant(percent, 2),

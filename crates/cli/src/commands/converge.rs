@@ -15,7 +15,7 @@ use core::fmt::Write as _;
 /// What the paper calls converged.
 const PAPER: usize = 15;
 /// Numbers of classical functions whose errors are shown, beside the largest.
-const SHOWN: [usize; 10] = [1, 2, 3, 5, 7, 10, 15, 30, 60, 100];
+const SHOWN: [usize; 9] = [1, 2, 3, 5, 7, 10, 15, 30, 100];
 
 pub(super) fn run(args: &ConvergeArgs) -> Result<Output, Failure> {
     let settings = args.settings()?;

@@ -21,6 +21,8 @@ const PAPER_FUNCTIONS: f64 = 15.0;
 const LEAST_ERROR: f64 = 1e-10;
 /// The frequency panel ends here: what is further off is read in the error panel.
 const MOST_RATIO: f64 = 2.0;
+/// Most functions that stand side by side on a linear axis.
+const MOST_LINEAR: f64 = 40.0;
 /// Name of the error axis.
 const ERROR: &str = "error against the converged frequency [%]";
 
@@ -120,12 +122,12 @@ fn trace<'a>(report: &ConvergeReport, series: &'a ConvergeSeries, family: BasisF
     Trace { series, family, ratio }
 }
 
-/// Logarithmic where one family needs more functions than the other was given.
+/// Logarithmic where there are many, or where one family needs more than the other was given.
 fn function_scale(report: &ConvergeReport, traces: &[Trace]) -> Scale {
     let first = report.functions.iter().copied().min().unwrap_or(1) as f64;
     let classical = report.functions.iter().copied().max().unwrap_or(1) as f64;
     let last = traces.iter().flat_map(|trace| &trace.ratio).map(|point| point.0).fold(classical, f64::max);
-    if last > classical {
+    if last > classical.min(MOST_LINEAR) {
         Scale::log(0.92 * first, 1.08 * last, "")
     } else {
         Scale::linear(first - 0.3, f64::max(last, first + 1.0) + 0.3, "")
