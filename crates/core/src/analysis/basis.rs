@@ -41,7 +41,7 @@ impl Classical {
 
 /// One degree of freedom with the functions that the settings ask for.
 pub(super) enum Basis {
-    Classical(Classical),
+    Classical(Box<Classical>),
     Piecewise(Box<Converged>),
 }
 
@@ -56,7 +56,9 @@ impl Basis {
         rules: &GaussRules,
     ) -> Result<Self, Vec<Fault>> {
         Ok(match settings.basis {
-            BasisFamily::Classical => Self::Classical(Classical::new(blade, dof, settings.functions, rules, false)),
+            BasisFamily::Classical => {
+                Self::Classical(Box::new(Classical::new(blade, dof, settings.functions, rules, false)))
+            }
             BasisFamily::Piecewise => Self::Piecewise(Box::new(converged(blade, dof, range, count, rules)?)),
         })
     }

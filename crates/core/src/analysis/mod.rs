@@ -60,7 +60,7 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Vec<Faul
         let by_paper = available(&paper.matrices, square, settings.modes).map_err(unsolvable)?;
         let error = found.error();
         let basis = match settings.basis {
-            BasisFamily::Classical => Basis::Classical(paper),
+            BasisFamily::Classical => Basis::Classical(Box::new(paper)),
             BasisFamily::Piecewise => Basis::Piecewise(Box::new(found)),
         };
         let solved = match settings.basis {

@@ -4,13 +4,11 @@ use crate::blade::{Blade, tension_inside};
 use crate::dof::Dof;
 use crate::functions::{MOST_ORDER, Mesh};
 use crate::lagrange::segments;
-use crate::numerics::scalar::{ceil, ln, pow, sqrt};
+use crate::numerics::scalar::{ceil, pow, sqrt};
+use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 
-/// Largest ratio of the stiffness at the ends of an element: strain is moment by stiffness, and
-/// polynomials follow 1/(1 + aξ) the more slowly the nearer its pole.
-const TAPER: f64 = 2.5;
 /// Largest phase of an element [rad]; longer ones are cheaper cut than given still higher orders.
 const PHASE: f64 = 5.0;
 /// Most elements; beyond it phases grow and the estimate tells how good the answer is.
@@ -80,35 +78,27 @@ fn pieces(blade: &Blade, dof: Dof) -> Vec<Piece> {
         let mass = segment.linear(blade.mass());
         let inertia = segment.linear(if dof == Dof::Torsion { blade.polar_inertia() } else { blade.mass() });
         let offset = segment.linear(blade.mass_offset());
-        let (inner, outer) = (stiffness.at(segment.from), stiffness.at(segment.to));
-        let ratio = inner.max(outer) / inner.min(outer);
-        let parts = ceil(ln(ratio) / ln(TAPER)).max(1.0);
-        let step = pow(outer / inner, 1.0 / parts);
-        // Ends at equal ratios of the stiffness, from the outer end inward.
-        let (mut to, mut i) = (segment.to, parts - 1.0);
-        while i >= 0.0 {
-            let share = if ratio > 1.0 { (pow(step, i) - 1.0) / (outer / inner - 1.0) } else { i / parts };
-            let from = if i == 0.0 { segment.from } else { segment.from + share * (segment.to - segment.from) };
-            // A part too short for f64 is left to its neighbour.
-            if from < to {
-                let middle = 0.5 * (from + to);
-                let pull = if dof == Dof::Torsion {
-                    mass.at(middle) * offset.at(middle) * offset.at(middle)
-                } else {
-                    outboard + tension_inside(mass.at(middle), mass.at(to), middle, to)
-                };
-                pieces.push(Piece {
-                    from,
-                    length: to - from,
-                    stiffness: sqrt(stiffness.at(from) * stiffness.at(to)),
-                    inertia: 0.5 * (inertia.at(from) + inertia.at(to)),
-                    pull,
-                    taper: pow(ratio, 1.0 / parts),
-                });
-                outboard += tension_inside(mass.at(from), mass.at(to), from, to);
-                to = from;
-            }
-            i -= 1.0;
+        let mut ends = vec![segment.from];
+        ends.extend(segment.taper_cuts(blade.stiffness(dof)));
+        ends.push(segment.to);
+        for ends in ends.windows(2).rev() {
+            let (from, to) = (ends[0], ends[1]);
+            let middle = 0.5 * (from + to);
+            let pull = if dof == Dof::Torsion {
+                mass.at(middle) * offset.at(middle) * offset.at(middle)
+            } else {
+                outboard + tension_inside(mass.at(middle), mass.at(to), middle, to)
+            };
+            let (inner, outer) = (stiffness.at(from), stiffness.at(to));
+            pieces.push(Piece {
+                from,
+                length: to - from,
+                stiffness: sqrt(inner) * sqrt(outer),
+                inertia: 0.5 * (inertia.at(from) + inertia.at(to)),
+                pull,
+                taper: inner.max(outer) / inner.min(outer),
+            });
+            outboard += tension_inside(mass.at(from), mass.at(to), from, to);
         }
     }
     pieces.reverse();

@@ -234,17 +234,22 @@ impl Converged {
             strain: DMatrix::zeros(points, n),
             root_turn: vec![0.0; n],
         };
-        let motion = self.elements.rigid();
+        let rigid_motion = self.elements.rigid();
         for (column, q) in coordinates.column_iter().enumerate() {
             let sum = &self.coefficients * q.rows(rigid, q.nrows() - rigid);
             let vector = self.elements.vector(sum.as_slice().to_vec());
-            let turn = if rigid == 1 { q[0] } else { 0.0 };
-            fields.root_turn[column] = turn;
-            for k in 0..points {
-                fields.motion[(k, column)] = vector.motion[k] + turn * motion[k];
-                fields.turn[(k, column)] = vector.turn[k] + turn;
-                fields.strain[(k, column)] = vector.strain[k];
+            let root_turn = if rigid == 1 { q[0] } else { 0.0 };
+            fields.root_turn[column] = root_turn;
+            let at = column * points..(column + 1) * points;
+            for ((out, clamped), x) in
+                fields.motion.as_mut_slice()[at.clone()].iter_mut().zip(&vector.motion).zip(&rigid_motion)
+            {
+                *out = clamped + root_turn * x;
             }
+            for (out, clamped) in fields.turn.as_mut_slice()[at.clone()].iter_mut().zip(&vector.turn) {
+                *out = clamped + root_turn;
+            }
+            fields.strain.as_mut_slice()[at].copy_from_slice(&vector.strain);
         }
         fields
     }
@@ -269,8 +274,7 @@ fn add_direction(out: &mut Vec<Vec<f64>>, mut direction: Vec<f64>) {
     }
     let after = length(&direction);
     if after > NOTHING_NEW * before {
-        direction.iter_mut().for_each(|v| *v /= after);
-        out.push(direction);
+        out.push(direction.into_iter().map(|v| v / after).collect());
     }
 }
 

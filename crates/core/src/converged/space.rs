@@ -133,7 +133,7 @@ impl<'a> Space<'a> {
         }
         let scale = 1.0 / after;
         for list in [&mut member.motion, &mut member.coefficients] {
-            list.iter_mut().for_each(|v| *v *= scale);
+            scaled(list, scale);
         }
         member.turn *= scale;
         member.weighted = self.masses.iter().zip(&member.motion).map(|(m, u)| m * u).collect();
@@ -172,7 +172,7 @@ impl<'a> Space<'a> {
         }
         let scale = 1.0 / before;
         for list in [&mut vector.coefficients, &mut vector.motion, &mut vector.turn, &mut vector.strain] {
-            list.iter_mut().for_each(|v| *v *= scale);
+            scaled(list, scale);
         }
         self.add(vector);
         before / given
@@ -244,6 +244,12 @@ impl<'a> Space<'a> {
         let elastic = &self.functions[usize::from(self.rigid.is_some())..];
         let columns: Vec<f64> = elastic.iter().flat_map(|f| f.coefficients.iter().copied()).collect();
         DMatrix::from_vec(self.elements.mesh.count(), elastic.len(), columns) * coordinates
+    }
+}
+
+fn scaled(values: &mut [f64], factor: f64) {
+    for value in values {
+        *value *= factor;
     }
 }
 
