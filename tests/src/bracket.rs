@@ -8,12 +8,12 @@ use bladefan_core::analysis::{ModeReport, Settings};
 use bladefan_core::dof::Dof;
 use core::fmt;
 
-/// Rounding of the independent solution, relative to a frequency.
-pub const ROUNDING: f64 = 2e-11;
-/// Widest interval of a converged frequency, relative to it.
-pub const WIDEST: f64 = 1e-6;
-/// Largest error of a converged frequency.
-pub const CONVERGED: f64 = 1e-8;
+/// Rounding of the independent solution, relative to a frequency: measured up to 4e-13.
+pub const ROUNDING: f64 = 2e-12;
+/// Widest interval of a converged frequency, relative to it: measured 2e-10 on random blades.
+pub const WIDEST: f64 = 1e-8;
+/// Largest error of a converged frequency: measured 5e-11 on random blades.
+pub const CONVERGED: f64 = 1e-9;
 
 /// One degree of freedom of one blade at one speed.
 #[derive(Clone, Copy, Debug)]
@@ -59,8 +59,7 @@ impl Case<'_> {
     }
 
     /// Checks the piecewise family: intervals hold and are narrow, values are good, and the number
-    /// that separates the modes from the next one does. Returns the widest relative interval and
-    /// the panels of the independent solution.
+    /// that separates the modes from the next one does. Returns the widest relative interval.
     ///
     /// # Errors
     /// What is wrong.
