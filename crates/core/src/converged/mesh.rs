@@ -11,8 +11,12 @@ use core::f64::consts::PI;
 
 /// Largest phase of an element [rad]; longer ones are cheaper cut than given still higher orders.
 const PHASE: f64 = 5.0;
-/// Most elements; beyond it phases grow and the estimate tells how good the answer is.
-const MOST_ELEMENTS: f64 = 4000.0;
+/// From this phase of the fastest part on, only the ends of a stretch are resolved to it.
+const LAYERED: f64 = 4.0 * PHASE;
+/// Phase of an element that lies beyond the boundary layers but is as long as its distance to one.
+const BESIDE: f64 = 2.5;
+/// Most elements of a stretch; beyond it phases grow and the estimate tells how good the answer is.
+const MOST_PARTS: f64 = 400.0;
 /// Part of a strain that the first orders may leave out; the eigenvalue's error is its square.
 const TRUNCATION: f64 = 2e-5;
 
@@ -33,6 +37,31 @@ impl Layout {
     }
 }
 
+/// Where the elements of a stretch begin, from its inner end, and the phase that each is to follow.
+///
+/// Under high tension a mode is a string's, but for boundary layers at the ends of the stretch that
+/// decay like e^(−fast·x): elements that double in length towards the middle follow both.
+fn cuts(length: f64, slow: f64, fast: f64) -> Vec<(f64, f64)> {
+    if fast * length <= LAYERED || slow > 0.5 * fast {
+        let parts = ceil(fast * length / PHASE).clamp(1.0, MOST_PARTS);
+        let part = |i: u16| (length * (f64::from(i) / parts), fast * length / parts);
+        return (0..).take_while(|&i| f64::from(i) < parts).map(part).collect();
+    }
+    let longest = (PHASE / slow).max(length / MOST_PARTS);
+    let mut inner = Vec::new();
+    let (mut x, mut step) = (0.0, PHASE / fast);
+    while x + step < 0.5 * length {
+        // Two elements see the layer; e^−15 of it is left beyond.
+        inner.push((x, if inner.len() < 2 { PHASE } else { BESIDE.max(slow * step) }));
+        x += step;
+        step = (2.0 * step).min(longest);
+    }
+    let ends = inner.iter().skip(1).map(|cut| cut.0).chain([x]);
+    let outer: Vec<(f64, f64)> = ends.zip(&inner).map(|(end, cut)| (length - end, cut.1)).collect();
+    let middle = (x, BESIDE.max(slow * (length - 2.0 * x)));
+    inner.into_iter().chain([middle]).chain(outer.into_iter().rev()).collect()
+}
+
 /// A stretch to become one or more elements.
 struct Piece {
     from: f64,
@@ -50,19 +79,12 @@ pub(super) fn first_layout(blade: &Blade, dof: Dof, speed_squared: f64, count: u
     let pieces = pieces(blade, dof);
     let bending = dof != Dof::Torsion;
     let highest = highest_eigenvalue(&pieces, bending, speed_squared, count);
-    let rates: Vec<f64> = pieces.iter().map(|piece| rates(piece, bending, speed_squared, highest).1).collect();
-    let wanted: f64 = pieces.iter().zip(&rates).map(|(piece, rate)| ceil(rate * piece.length / PHASE).max(1.0)).sum();
-    let coarser = (wanted / MOST_ELEMENTS).max(1.0);
     let mut layout = Layout { radii: Vec::new(), orders: Vec::new() };
-    for (piece, rate) in pieces.iter().zip(rates) {
-        let phase = rate * piece.length;
-        let parts = ceil(phase / (PHASE * coarser)).max(1.0);
-        let order = order(phase / parts, piece.taper);
-        let mut i = 0.0;
-        while i < parts {
-            layout.radii.push(piece.from + piece.length * (i / parts));
-            layout.orders.push(order);
-            i += 1.0;
+    for piece in &pieces {
+        let (slow, fast) = rates(piece, bending, speed_squared, highest);
+        for (x, phase) in cuts(piece.length, slow, fast) {
+            layout.radii.push(piece.from + x);
+            layout.orders.push(order(phase, piece.taper));
         }
     }
     layout.radii.push(blade.radius());

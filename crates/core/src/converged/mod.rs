@@ -13,6 +13,7 @@ use crate::blade::Blade;
 use crate::dof::Dof;
 use crate::functions::{Deformation, MOST_ORDER, PiecewiseFunctions};
 use crate::lagrange::{Fields, FromTip, Grid, SystemMatrices, assemble, moment_gaps};
+use crate::numerics::chain::Chain;
 use crate::numerics::eigen::{EigenError, lowest};
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::{ceil, ln, sqrt};
@@ -30,6 +31,8 @@ const MOST_ROUNDS: usize = 8;
 /// Inverse iteration ends when the share of its vectors that is new falls below this; the error of
 /// an eigenvalue is then below the square of it.
 const SETTLED: f64 = 1e-3;
+/// Iterating on is worthwhile while it leaves less than this of the error.
+const WORTHWHILE: f64 = 0.3;
 /// Most rounds of inverse iteration at one speed.
 const MOST_ITERATIONS: usize = 8;
 /// Where the modes are sought first, and then, as shares of the range of Ω².
@@ -43,11 +46,16 @@ const NOTHING_NEW: f64 = 1e-8;
 #[derive(Clone, Debug)]
 pub struct Converged {
     elements: Elements,
-    /// Strain coefficients of the functions that came out.
+    found: Reduced,
+    error: f64,
+}
+
+/// The few functions that came out.
+#[derive(Clone, Debug)]
+struct Reduced {
+    /// Their strain coefficients; the rigid motion has none.
     coefficients: DMatrix<f64>,
     matrices: SystemMatrices,
-    count: usize,
-    error: f64,
 }
 
 impl Converged {
@@ -64,11 +72,9 @@ impl Converged {
     ) -> Result<Self, EigenError> {
         let mut layout = first_layout(blade, dof, to, count);
         let mut last: Option<Self> = None;
-        let mut settled = if to > from { SETTLED } else { 0.1 * SETTLED };
         for _ in 0..MOST_ROUNDS {
             let elements = Elements::new(blade, dof, &layout, rules);
-            let (found, shares) = Self::on(elements, (from, to), count, settled, rules)?;
-            settled *= 0.1;
+            let (found, shares) = Self::on(elements, (from, to), count, rules)?;
             let best = last.as_ref().is_none_or(|last| found.error < last.error);
             let error = found.error;
             if best {
@@ -96,7 +102,7 @@ impl Converged {
         let mut layout = first_layout(blade, dof, speed_squared, count);
         layout.orders.fill(order);
         let elements = Elements::new(blade, dof, &layout, rules);
-        Ok(Self::on(elements, (speed_squared, speed_squared), count, SETTLED, rules)?.0)
+        Ok(Self::on(elements, (speed_squared, speed_squared), count, rules)?.0)
     }
 
     /// Inverse iteration on one mesh; with the largest share that each element has in the errors.
@@ -104,7 +110,6 @@ impl Converged {
         elements: Elements,
         (from, to): (f64, f64),
         count: usize,
-        settled: f64,
         rules: &GaussRules,
     ) -> Result<(Self, Vec<f64>), EigenError> {
         let range = to > from;
@@ -124,92 +129,44 @@ impl Converged {
             space.push_next(&chain, next);
             next += 1;
         }
-        // Columns over the clamped functions: what comes out.
-        let mut out: Vec<Vec<f64>> = Vec::new();
-        let rigid = usize::from(elements.root_turns());
-        let mut modes = Vec::new();
-        for (index, share) in anchors.iter().enumerate() {
-            let s = at(*share);
-            let here;
-            let chain = if index == 0 {
-                &chain
-            } else {
-                here = elements.factor(s).ok_or(EigenError::NotPositiveDefinite)?;
-                &here
-            };
-            for _ in 0..MOST_ITERATIONS {
-                let found = space.ritz(s, count)?;
-                let mut new = 0.0_f64;
-                for (q, value) in found.vectors.column_iter().zip(&found.values) {
-                    // A rigid mode is exact.
-                    if *value > 0.0 {
-                        let motion = space.motion(q.as_slice());
-                        new = new.max(space.push_response(chain, &motion));
-                    }
-                }
-                if new < settled {
-                    break;
-                }
+        let from_tip = FromTip::new(&elements.grid, rules);
+        let (mut settled, mut last) = (SETTLED, f64::INFINITY);
+        loop {
+            for (index, share) in anchors.iter().enumerate() {
+                let s = at(*share);
+                let there;
+                let chain = if index == 0 {
+                    &chain
+                } else {
+                    there = elements.factor(s).ok_or(EigenError::NotPositiveDefinite)?;
+                    &there
+                };
+                iterate(&mut space, chain, s, count, settled)?;
             }
-            modes.push(s);
-        }
-        for s in modes {
-            let found = space.ritz(s, count)?;
-            for q in found.vectors.column_iter() {
-                add_direction(&mut out, q.as_slice()[rigid..].to_vec());
+            let found = Reduced::new(&elements, &space, anchors.iter().map(|share| at(*share)), count)?;
+            let mut error = 0.0_f64;
+            let mut shares = vec![0.0; elements.grid.cells().len()];
+            for share in if range { &CHECKS[..] } else { &CHECKS[..1] } {
+                error = error.max(found.check(&elements, at(*share), count, &from_tip, &mut shares)?);
             }
-        }
-        for column in &mut out {
-            column.resize(space.len() - rigid, 0.0);
-        }
-        let clamped = DMatrix::from_fn(space.len() - rigid, out.len(), |i, j| out[j][i]);
-        let mut all = DMatrix::zeros(space.len(), out.len() + rigid);
-        all.view_mut((rigid, rigid), clamped.shape()).copy_from(&clamped);
-        if rigid == 1 {
-            all[(0, 0)] = 1.0;
-        }
-        let matrices = assemble(&elements.grid, space.energies(), rigid == 1).reduced(&all);
-        let coefficients = space.coefficients(&clamped);
-        let functions = elements.mesh.count() + rigid;
-        let mut found = Self { coefficients, matrices, count: functions, error: 0.0, elements };
-        let mut shares = vec![0.0; found.elements.grid.cells().len()];
-        let from_tip = FromTip::new(&found.elements.grid, rules);
-        for share in if range { &CHECKS[..] } else { &CHECKS[..1] } {
-            found.check(at(*share), count, &from_tip, &mut shares)?;
-        }
-        Ok((found, shares))
-    }
-
-    /// Raises the error to the largest of an eigenvalue at Ω² = `s`, and the share of each element
-    /// to the largest error that it is to blame for.
-    fn check(&mut self, s: f64, count: usize, from_tip: &FromTip, shares: &mut [f64]) -> Result<(), EigenError> {
-        let grid = &self.elements.grid;
-        let shift = if grid.dof() == Dof::Lag { s } else { 0.0 };
-        let g = self.matrices.stiffness() + self.matrices.centrifugal() * s + self.matrices.mass() * shift;
-        let found = lowest(&g, self.matrices.mass(), count)?;
-        let rigid = found.values.iter().take_while(|value| **value == 0.0).count();
-        let gaps = moment_gaps(grid, from_tip, &self.fields(&found.vectors), &found.values, rigid, s);
-        let energies = gaps.energies(grid);
-        for (mode, value) in found.values.iter().enumerate().skip(rigid) {
-            self.error = self.error.max(energies[(mode, mode)] * value);
-            let column = gaps.moment.column(mode);
-            for (cell, share) in grid.cells().iter().zip(shares.iter_mut()) {
-                let own: f64 =
-                    cell.points.clone().map(|k| grid.weight()[k] * column[k] * column[k] / grid.stiffness()[k]).sum();
-                *share = share.max(own * value);
+            // Where iterating on does not help, the elements are to blame.
+            if error <= TOLERANCE || error > WORTHWHILE * last {
+                drop(space);
+                return Ok((Self { elements, found, error }, shares));
             }
+            last = error;
+            settled *= 0.01;
         }
-        Ok(())
     }
 
     /// The matrices of the functions that came out.
     pub fn matrices(&self) -> &SystemMatrices {
-        &self.matrices
+        &self.found.matrices
     }
 
     /// How many piecewise functions the answer is made of.
     pub fn count(&self) -> usize {
-        self.count
+        self.elements.mesh.count() + usize::from(self.elements.root_turns())
     }
 
     /// Estimate of the largest relative error of an eigenvalue; above [`TOLERANCE`] where that was
@@ -225,8 +182,95 @@ impl Converged {
 
     /// What sums of the functions that came out (columns of `coordinates`) do along the span.
     pub fn fields(&self, coordinates: &DMatrix<f64>) -> Fields {
-        let rigid = usize::from(self.elements.root_turns());
-        let points = self.elements.grid.len();
+        self.found.fields(&self.elements, coordinates)
+    }
+
+    /// The functions themselves.
+    pub fn functions(&self) -> PiecewiseFunctions {
+        let deformation = if self.elements.torsion { Deformation::Torsion } else { Deformation::Bending };
+        let mesh = self.elements.mesh.clone();
+        PiecewiseFunctions::new(mesh, deformation, self.elements.root_turns(), self.found.coefficients.clone())
+    }
+}
+
+/// Rounds of inverse iteration at Ω² = `s`, until what they add is less than `settled` of the modes.
+fn iterate(space: &mut Space, chain: &Chain, s: f64, count: usize, settled: f64) -> Result<(), EigenError> {
+    for _ in 0..MOST_ITERATIONS {
+        let found = space.ritz(s, count)?;
+        let mut new = 0.0_f64;
+        for (q, value) in found.vectors.column_iter().zip(&found.values) {
+            // A rigid mode is exact.
+            if *value > 0.0 {
+                let motion = space.motion(q.as_slice());
+                new = new.max(space.push_response(chain, &motion));
+            }
+        }
+        if new < settled {
+            break;
+        }
+    }
+    Ok(())
+}
+
+impl Reduced {
+    /// The span of the modes at these Ω².
+    fn new(
+        elements: &Elements,
+        space: &Space,
+        anchors: impl Iterator<Item = f64>,
+        count: usize,
+    ) -> Result<Self, EigenError> {
+        let rigid = usize::from(elements.root_turns());
+        let mut out: Vec<Vec<f64>> = Vec::new();
+        for s in anchors {
+            for q in space.ritz(s, count)?.vectors.column_iter() {
+                add_direction(&mut out, q.as_slice()[rigid..].to_vec());
+            }
+        }
+        let clamped = DMatrix::from_fn(space.len() - rigid, out.len(), |i, j| out[j][i]);
+        let mut all = DMatrix::zeros(space.len(), out.len() + rigid);
+        all.view_mut((rigid, rigid), clamped.shape()).copy_from(&clamped);
+        if rigid == 1 {
+            all[(0, 0)] = 1.0;
+        }
+        let matrices = assemble(&elements.grid, space.energies(), rigid == 1).reduced(&all);
+        Ok(Self { coefficients: space.coefficients(&clamped), matrices })
+    }
+
+    /// The largest relative error of an eigenvalue at Ω² = `s`; raises the share of each element to
+    /// the largest error that it is to blame for.
+    fn check(
+        &self,
+        elements: &Elements,
+        s: f64,
+        count: usize,
+        from_tip: &FromTip,
+        shares: &mut [f64],
+    ) -> Result<f64, EigenError> {
+        let grid = &elements.grid;
+        let shift = if grid.dof() == Dof::Lag { s } else { 0.0 };
+        let g = self.matrices.stiffness() + self.matrices.centrifugal() * s + self.matrices.mass() * shift;
+        let found = lowest(&g, self.matrices.mass(), count)?;
+        let rigid = found.values.iter().take_while(|value| **value == 0.0).count();
+        let gaps = moment_gaps(grid, from_tip, &self.fields(elements, &found.vectors), &found.values, rigid, s);
+        let energies = gaps.energies(grid);
+        let mut error = 0.0_f64;
+        for (mode, value) in found.values.iter().enumerate().skip(rigid) {
+            error = error.max(energies[(mode, mode)] * value);
+            let column = gaps.moment.column(mode);
+            for (cell, share) in grid.cells().iter().zip(shares.iter_mut()) {
+                let own: f64 =
+                    cell.points.clone().map(|k| grid.weight()[k] * column[k] * column[k] / grid.stiffness()[k]).sum();
+                *share = share.max(own * value);
+            }
+        }
+        Ok(error)
+    }
+
+    /// What sums of the functions that came out (columns of `coordinates`) do along the span.
+    fn fields(&self, elements: &Elements, coordinates: &DMatrix<f64>) -> Fields {
+        let rigid = usize::from(elements.root_turns());
+        let points = elements.grid.len();
         let n = coordinates.ncols();
         let mut fields = Fields {
             motion: DMatrix::zeros(points, n),
@@ -234,10 +278,10 @@ impl Converged {
             strain: DMatrix::zeros(points, n),
             root_turn: vec![0.0; n],
         };
-        let rigid_motion = self.elements.rigid();
+        let rigid_motion = elements.rigid();
         for (column, q) in coordinates.column_iter().enumerate() {
             let sum = &self.coefficients * q.rows(rigid, q.nrows() - rigid);
-            let vector = self.elements.vector(sum.as_slice().to_vec());
+            let vector = elements.vector(sum.as_slice().to_vec());
             let root_turn = if rigid == 1 { q[0] } else { 0.0 };
             fields.root_turn[column] = root_turn;
             let at = column * points..(column + 1) * points;
@@ -252,13 +296,6 @@ impl Converged {
             fields.strain.as_mut_slice()[at].copy_from_slice(&vector.strain);
         }
         fields
-    }
-
-    /// The functions themselves.
-    pub fn functions(&self) -> PiecewiseFunctions {
-        let deformation = if self.elements.torsion { Deformation::Torsion } else { Deformation::Bending };
-        let mesh = self.elements.mesh.clone();
-        PiecewiseFunctions::new(mesh, deformation, self.elements.root_turns(), self.coefficients.clone())
     }
 }
 
