@@ -20,18 +20,18 @@ fn many_stations(stations: usize) -> Blade {
         }
         text + "]"
     };
-    // A taper with a ripple: no two neighbours alike, the same blade for every number of stations.
-    let ripple = |x: f64| 1.0 - 0.5 * x + 0.1 * (23.0 * x).sin();
+    // A taper with a swell: no two neighbours alike, the same blade for every number of stations.
+    let swell = |x: f64| 1.0 - 0.5 * x + 0.8 * x * (1.0 - x) * (0.6 - x);
     let text = format!(
         "schema = \"bladefan-blade/1\"\nname = \"many stations\"\n[rotor]\nradius = 5.0\nnominal_speed = 40.0\n\
          [flap]\nroot = \"hinged\"\noffset = 0.2\n[lag]\nroot = \"hinged\"\noffset = 0.2\n[torsion]\nroot = \"rigid\"\noffset = 0.2\n\
          [distribution]\nr = {}\nmass = {}\nflap_stiffness = {}\nlag_stiffness = {}\ntorsion_stiffness = {}\npolar_inertia = {}\n",
         list(&|x| 0.2 + 4.8 * x),
-        list(&|x| 6.0 * ripple(x)),
-        list(&|x| 1.5e4 * ripple(x)),
-        list(&|x| 3e5 * ripple(x)),
-        list(&|x| 1e4 * ripple(x)),
-        list(&|x| 0.03 * ripple(x)),
+        list(&|x| 6.0 * swell(x)),
+        list(&|x| 1.5e4 * swell(x)),
+        list(&|x| 3e5 * swell(x)),
+        list(&|x| 1e4 * swell(x)),
+        list(&|x| 0.03 * swell(x)),
     );
     read(&text, Format::Toml).unwrap().blade
 }

@@ -12,7 +12,6 @@ use bladefan_core::analysis::{BasisFamily, Settings, fan, modes};
 use bladefan_core::blade::Blade;
 use bladefan_core::dof::Dof;
 use bladefan_core::file::{Format, read};
-use bladefan_core::functions::AssumedFunctions;
 use bladefan_core::lagrange::{Energies, Fields, Grid, SystemMatrices, assemble, classical_functions};
 use bladefan_core::library;
 use bladefan_core::modes::solve;
@@ -91,7 +90,7 @@ fn parts(criterion: &mut Criterion, blade: &Blade) {
     group.bench_function("one speed from assembled matrices", |b| b.iter(|| one_speed(black_box(&assembled), speed)));
     let settings = chart_settings(BasisFamily::Piecewise);
     group.bench_function("one speed with bounds and the paper's values", |b| {
-        b.iter(|| modes(black_box(blade), &settings).unwrap())
+        b.iter(|| modes(black_box(blade), &settings).unwrap());
     });
     group.finish();
 }
@@ -176,7 +175,9 @@ fn ratios(blade: &Blade) {
     );
     let one_by_one = best(11, || {
         let assembled = matrices(blade, FUNCTIONS);
-        speeds.iter().for_each(|&speed| drop(black_box(one_speed(&assembled, speed))));
+        for &speed in &speeds {
+            drop(black_box(one_speed(&assembled, speed)));
+        }
     });
     println!(
         "The {} dense problems of that chart one by one: {:.2} ms, ratio {:.1}.",

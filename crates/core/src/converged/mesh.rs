@@ -45,7 +45,7 @@ fn cuts(length: f64, slow: f64, fast: f64) -> Vec<(f64, f64)> {
     if fast * length <= LAYERED || slow > 0.5 * fast {
         let parts = ceil(fast * length / PHASE).clamp(1.0, MOST_PARTS);
         let part = |i: u16| (length * (f64::from(i) / parts), fast * length / parts);
-        return (0..).take_while(|&i| f64::from(i) < parts).map(part).collect();
+        return (0..=400_u16).take_while(|&i| f64::from(i) < parts).map(part).collect();
     }
     let longest = (PHASE / slow).max(length / MOST_PARTS);
     let mut inner = Vec::new();

@@ -36,7 +36,9 @@ const WORTHWHILE: f64 = 0.3;
 /// Most rounds of inverse iteration at one speed.
 const MOST_ITERATIONS: usize = 8;
 /// Where the modes are sought first, and then, as shares of the range of Ω².
-const ANCHORS: [f64; 3] = [0.5, 0.0, 1.0];
+const ANCHORS: [f64; 6] = [0.5, 0.0, 1.0, 0.25, 0.75, 0.06];
+/// So many of them at first.
+const FIRST_ANCHORS: usize = 3;
 /// Where the answer is checked besides, as shares of the range of Ω².
 const CHECKS: [f64; 2] = [1.0, 0.2];
 /// A direction with less than this beside those there are is left out.
@@ -114,7 +116,7 @@ impl Converged {
     ) -> Result<(Self, Vec<f64>), EigenError> {
         let range = to > from;
         let at = |share: f64| if range { from + share * (to - from) } else { to };
-        let anchors = if range { &ANCHORS[..] } else { &ANCHORS[..1] };
+        let mut anchors = if range { &ANCHORS[..FIRST_ANCHORS] } else { &ANCHORS[..1] };
         let start = at(ANCHORS[0]);
         let chain = elements.factor(start).ok_or(EigenError::NotPositiveDefinite)?;
         let mut space = Space::new(&elements, start);
@@ -149,12 +151,17 @@ impl Converged {
             for share in if range { &CHECKS[..] } else { &CHECKS[..1] } {
                 error = error.max(found.check(&elements, at(*share), count, &from_tip, &mut shares)?);
             }
-            // Where iterating on does not help, the elements are to blame.
-            if error <= TOLERANCE || error > WORTHWHILE * last {
+            let helped = error <= WORTHWHILE * last;
+            if error > TOLERANCE && !helped && anchors.len() == FIRST_ANCHORS {
+                anchors = &ANCHORS;
+                last = f64::INFINITY;
+            } else if error <= TOLERANCE || !helped {
+                // Where neither iterating on nor more speeds help, the elements are to blame.
                 drop(space);
                 return Ok((Self { elements, found, error }, shares));
+            } else {
+                last = error;
             }
-            last = error;
             settled *= 0.01;
         }
     }
