@@ -100,15 +100,19 @@ pub fn moment_gaps(
             root = outer(&at_root, 1.0 / spring);
         }
         RootCondition::Free => {
-            // No moment may reach a free root: a constant turn c with Ω² ∫ P c dr takes it off.
-            load.iter_mut().zip(grid.pull()).for_each(|(load, p)| *load = speed_squared * p);
+            // No moment may reach a free root, and none does but for rounding: the rigid motion is
+            // one of the functions. What is left is taken off as the inertia of so much of it.
+            for ((load, j), x) in load.iter_mut().zip(grid.inertia()).zip(grid.x()) {
+                *load = if grid.dof() == Dof::Torsion { *j } else { j * x };
+            }
+            if grid.dof() != Dof::Torsion {
+                from_tip.integrate(grid, &load, &mut sum);
+                load.copy_from_slice(&sum);
+            }
             let total = from_tip.integrate(grid, &load, &mut sum);
-            if total > 0.0 {
-                for (mode, gap) in at_root.iter().enumerate() {
-                    let out = &mut moment.as_mut_slice()[mode * points..(mode + 1) * points];
-                    out.iter_mut().zip(&sum).for_each(|(out, sum)| *out -= gap / total * sum);
-                }
-                root = outer(&at_root, 1.0 / total);
+            for (mode, gap) in at_root.iter().enumerate().skip(rigid) {
+                let out = &mut moment.as_mut_slice()[mode * points..(mode + 1) * points];
+                out.iter_mut().zip(&sum).for_each(|(out, sum)| *out -= gap / total * sum);
             }
         }
     }
