@@ -53,6 +53,7 @@ export function paperWords({ classical_rad_s: classical, converged_rad_s: conver
   if (classical === null || converged === null) return "–";
   const percent = classical === converged ? 0 : 100 * (classical / converged - 1);
   if (!Number.isFinite(percent)) return "–";
+  if (percent === 0) return "0 %";
   if (Math.abs(percent) < 1e-4) return "<0.0001 %";
   const size = Math.abs(percent);
   const decimals = Math.min(4, Math.max(0, 1 - Math.floor(Math.log10(size))));

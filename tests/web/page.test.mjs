@@ -160,7 +160,7 @@ pageTest("the slider moves the table, the line and the margins", {}, async (page
   await slide(page, 0);
   const rest = await tableAt(page, "Frequencies at 0 rpm");
   assert.equal(rest["1F"], 0);
-  assert.deepEqual((await rows(page))[0], ["1F", "0", "0", "–", "exact", "–", "–"]);
+  assert.deepEqual((await rows(page))[0], ["1F", "0", "0", "–", "exact", "0 %", "–"]);
 });
 
 pageTest("the speed is dragged on the chart, typed, and shown in other units", {}, async (page) => {
