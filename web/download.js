@@ -42,10 +42,24 @@ export function shapesCsv(report) {
   return csv(header, rows);
 }
 
-/** One row per number of functions, one column per mode. */
+/** One row per mode, family and number of functions; the error is against the converged frequency. */
 export function convergeCsv(report) {
-  const header = ["functions", ...report.series.map((series) => `${series.label} [rad/s]`)];
-  return csv(header, report.functions.map((n, i) => [n, ...report.series.map((series) => series.classical_rad_s[i])]));
+  const rows = report.series.flatMap((series) =>
+    [
+      ["classical", report.functions, series.classical_rad_s],
+      ["piecewise", series.piecewise_functions, series.piecewise_rad_s],
+    ].flatMap(([family, counts, values]) =>
+      counts.map((count, i) => [series.label, family, count, values[i], percent(values[i], series.converged_rad_s)]),
+    ),
+  );
+  return csv(["mode", "family", "functions", "frequency [rad/s]", "error [%]"], rows);
+}
+
+function percent(value, reference) {
+  if (value === null || reference === null) return null;
+  if (value === reference) return 0;
+  const error = 100 * (value / reference - 1);
+  return Number.isFinite(error) ? error : null;
 }
 
 /** The drawing as a PNG of twice its size. */

@@ -27,6 +27,46 @@ export function marginWords(margin, unit = "") {
   return `${words}${unit} ${distance < 0 ? "below" : "above"} ${harmonic}P`;
 }
 
+/** Bounds further apart than this share of the frequency: not converged. */
+const CONVERGED = 1e-3;
+
+const RAISED = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
+
+/** One digit and a power of ten, rounded up: a bound may not promise more than it holds. */
+function roundedUp(value) {
+  if (!(value > 0)) return "0";
+  let [digit, power] = value.toExponential(0).split("e").map(Number);
+  if (Number(`${digit}e${power}`) < value) [digit, power] = digit === 9 ? [1, power + 1] : [digit + 1, power];
+  return `${digit}·10${[...String(power)].map((letter) => RAISED[letter]).join("")}`;
+}
+
+/** "±2·10⁻⁹" around the frequency, or both bounds where they are far apart. */
+export function boundsWords({ frequency_rad_s: frequency, lower_rad_s: lower, upper_rad_s: upper }) {
+  if (lower === null || upper === null) return "–";
+  if (!(upper - lower <= CONVERGED * frequency || upper === lower)) return `${figures(lower)}\u00a0…\u00a0${figures(upper)}, not\u00a0converged`;
+  const half = Math.max(frequency - lower, upper - frequency, 0);
+  return frequency === 0 && half === 0 ? "exact" : `±${roundedUp(half)}`;
+}
+
+/** How far the paper's functions are from the converged frequency: "+0.098 %". */
+export function paperWords({ classical_rad_s: classical, converged_rad_s: converged }) {
+  if (classical === null || converged === null) return "–";
+  const percent = classical === converged ? 0 : 100 * (classical / converged - 1);
+  if (!Number.isFinite(percent)) return "–";
+  if (percent === 0) return "0 %";
+  if (Math.abs(percent) < 1e-4) return "<0.0001 %";
+  const size = Math.abs(percent);
+  const decimals = Math.min(4, Math.max(0, 1 - Math.floor(Math.log10(size))));
+  return `${percent < 0 ? "−" : "+"}${size.toFixed(decimals)} %`;
+}
+
+/** The assumed functions in words. */
+export function basisWords({ family, functions }) {
+  const given = Object.entries(functions).filter(([, count]) => count !== null);
+  if (family === "classical" && given.length > 0) return `classical, ${given[0][1]} functions`;
+  return [`${family} functions`, ...given.map(([dof, count]) => `${dof} ${count}`)].join(", ");
+}
+
 /** The place of a fault: "line 12: distribution.mass[3]". */
 export function faultPlace(fault) {
   const parts = [];

@@ -41,7 +41,12 @@ export function startSolving(store, client) {
       client.call("margins", "margins", state.blade, options),
     ]);
     if (found === null || margins === null) return;
-    take("modes", found.status === "ok" ? margins : found, (value) => ({ modes: found.value, margins: value, solvedSpeed: speed }));
+    take("modes", found.status === "ok" ? margins : found, (value) => ({
+      modes: found.value,
+      margins: value,
+      solvedSpeed: speed,
+      solvedFunctions: options.functions,
+    }));
   }
 
   async function draw(state) {

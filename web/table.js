@@ -1,6 +1,6 @@
 // The frequency table at one rotor speed. Its rows are the choice of a mode.
 
-import { figures, marginWords } from "./format.js";
+import { boundsWords, figures, marginWords, paperWords } from "./format.js";
 
 function newRow(mode, onChoose) {
   const row = document.createElement("tr");
@@ -16,7 +16,7 @@ function newRow(mode, onChoose) {
   const label = document.createElement("label");
   label.append(radio, mode.label);
   head.append(label);
-  row.append(head, ...Array.from({ length: 4 }, () => document.createElement("td")));
+  row.append(head, ...Array.from({ length: 6 }, () => document.createElement("td")));
   row.addEventListener("click", (event) => {
     if (event.target.closest("label") !== null || !getSelection().isCollapsed) return;
     radio.focus({ preventScroll: true });
@@ -27,12 +27,19 @@ function newRow(mode, onChoose) {
 
 function fill(row, mode, margin) {
   const perRev = mode.per_rev === null ? "–" : mode.per_rev.toFixed(3);
-  const texts = [figures(mode.frequency_rad_s), figures(mode.frequency_hz), perRev, marginWords(margin)];
-  const full = [mode.frequency_rad_s, mode.frequency_hz, mode.per_rev ?? ""];
-  texts.forEach((text, i) => {
+  const bounds = [mode.lower_rad_s, mode.upper_rad_s];
+  const shown = [
+    [figures(mode.frequency_rad_s), mode.frequency_rad_s],
+    [figures(mode.frequency_hz), mode.frequency_hz],
+    [perRev, mode.per_rev ?? ""],
+    [boundsWords(mode), bounds.includes(null) ? "" : bounds.join(" … ")],
+    [paperWords(mode), mode.classical_rad_s ?? ""],
+    [marginWords(margin)],
+  ];
+  shown.forEach(([text, full], i) => {
     const cell = row.cells[i + 1];
     cell.textContent = text;
-    if (i < full.length) cell.dataset.full = full[i];
+    if (full !== undefined) cell.dataset.full = full;
   });
 }
 

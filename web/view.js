@@ -4,7 +4,7 @@ import { FIRST_BLADE, OWN } from "./blade.js";
 import { place } from "./chart.js";
 import { at } from "./dom.js";
 import { listFaults } from "./editor.js";
-import { faultPlace, fieldNumber } from "./format.js";
+import { basisWords, faultPlace, fieldNumber } from "./format.js";
 import { showSpeed, shownSpeed, unitFactor } from "./speed.js";
 import { closestWords, showChosen, showModes } from "./table.js";
 
@@ -17,8 +17,8 @@ function showNumbers(state, onChoose) {
   at("numbers-title").textContent = `Frequencies at ${speed}${state.solvedSpeed === null ? ", nominal" : ""}`;
   showModes(at("modes").tBodies[0], modes, state.margins, onChoose);
   at("closest").textContent = closestWords(state.margins, speed, state.fan?.harmonics);
-  const counts = Object.values(modes.basis.functions).filter((count) => count !== null);
-  at("model").textContent = `${modes.basis.family} functions, N = ${[...new Set(counts)].join(", ")}; ${state.about.model}`;
+  at("paper-column").textContent = `paper N=${state.solvedFunctions}`;
+  at("model").textContent = `${basisWords(modes.basis)}; ${state.about.model}`;
   document.title = `${modes.blade} – bladefan`;
 }
 

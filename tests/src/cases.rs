@@ -2,7 +2,7 @@
 
 use crate::blades::built_in;
 use alloc::collections::BTreeMap;
-use bladefan_core::analysis::{ModeReport, Settings, modes};
+use bladefan_core::analysis::{BasisFamily, ModeReport, Settings, modes};
 use bladefan_core::blade::Blade;
 use bladefan_core::units::{RAD_S_PER_RPM, hz};
 use core::fmt::Write as _;
@@ -78,7 +78,12 @@ impl Case {
                 "rad/s" => row[0],
                 unit => panic!("unit {unit}"),
             };
-            let settings = Settings { speed: Some(speed), functions: self.functions, ..Settings::default() };
+            let settings = Settings {
+                basis: BasisFamily::Classical,
+                speed: Some(speed),
+                functions: self.functions,
+                ..Settings::default()
+            };
             let report = modes(blade, &settings).unwrap_or_else(|faults| panic!("{faults:?}"));
             for (label, &expected) in self.labels.iter().zip(&row[1..]) {
                 let mode: &ModeReport = report.modes.iter().find(|mode| mode.label == *label).expect("a known label");

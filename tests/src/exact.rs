@@ -23,7 +23,7 @@ type Poly = Vec<f64>;
 
 /// A stretch of the blade, coordinate x from its outboard end inward (x ≥ 0).
 #[derive(Clone, Debug)]
-struct Panel {
+pub(crate) struct Panel {
     length: f64,
     stiffness: Poly,
     inertia: Poly,
@@ -34,12 +34,12 @@ struct Panel {
 /// One degree of freedom of one blade, ready to be shot at.
 #[derive(Clone, Debug)]
 pub struct Exact {
-    dof: Dof,
-    root: End,
+    pub(crate) dof: Dof,
+    pub(crate) root: End,
     /// From the tip inward.
-    panels: Vec<Panel>,
+    pub(crate) panels: Vec<Panel>,
     /// Scales of (displacement, slope, moment, force), so that states can be orthonormalised.
-    scale: [f64; 4],
+    pub(crate) scale: [f64; 4],
 }
 
 fn limits(table: &Table, r: f64) -> (f64, f64) {
@@ -173,32 +173,39 @@ impl Exact {
     fn twisting(&self, speed: f64, frequency: f64) -> f64 {
         let (mut theta, mut torque) = (1.0, 0.0);
         for panel in &self.panels {
-            let (mut t, mut q) = (vec![theta], vec![torque]);
-            for k in 0..TERMS {
-                // Inward coordinate: θ′ and Q′ change sign against the outward one.
-                let mut tail = -q[k];
-                if k >= 1 {
-                    tail -= panel.stiffness[1] * k as f64 * t[k];
-                }
-                let mut load = 0.0;
-                for (j, c) in panel.centrifugal.iter().enumerate().filter(|(j, _)| *j <= k) {
-                    load -= speed * speed * c * t[k - j];
-                }
-                for (j, c) in panel.inertia.iter().enumerate().filter(|(j, _)| *j <= k) {
-                    load += frequency * frequency * c * t[k - j];
-                }
-                t.push(tail / panel.stiffness[0] / (k + 1) as f64);
-                q.push(load / (k + 1) as f64);
-            }
-            (theta, torque) = (value(&t, panel.length), value(&q, panel.length));
-            let size = theta.hypot(torque / self.scale[2]);
-            (theta, torque) = (theta / size, torque / size);
+            (theta, torque) = self.twist(panel, speed, frequency * frequency, theta, torque);
         }
+        torque *= self.scale[2];
         match self.root.hold {
             Hold::Clamped => theta,
             Hold::Free => torque / self.scale[2],
             Hold::Spring(k) => (torque - k * theta) / self.scale[2].max(k),
         }
+    }
+
+    /// Carries angle and scaled torque over a panel and makes their length 1.
+    pub(crate) fn twist(&self, panel: &Panel, speed: f64, square: f64, theta: f64, torque: f64) -> (f64, f64) {
+        let (mut t, mut q) = ([0.0; TERMS + 1], [0.0; TERMS + 1]);
+        (t[0], q[0]) = (theta, torque * self.scale[2]);
+        for k in 0..TERMS {
+            // Inward coordinate: θ′ and Q′ change sign against the outward one.
+            let mut tail = -q[k];
+            if k >= 1 {
+                tail -= panel.stiffness[1] * k as f64 * t[k];
+            }
+            let mut load = 0.0;
+            for (j, c) in panel.centrifugal.iter().enumerate().filter(|(j, _)| *j <= k) {
+                load -= speed * speed * c * t[k - j];
+            }
+            for (j, c) in panel.inertia.iter().enumerate().filter(|(j, _)| *j <= k) {
+                load += square * c * t[k - j];
+            }
+            t[k + 1] = tail / panel.stiffness[0] / (k + 1) as f64;
+            q[k + 1] = load / (k + 1) as f64;
+        }
+        let (theta, torque) = (value(&t, panel.length), value(&q, panel.length) / self.scale[2]);
+        let size = theta.hypot(torque);
+        (theta / size, torque / size)
     }
 
     fn bending(&self, speed: f64, frequency: f64) -> f64 {
@@ -215,17 +222,7 @@ impl Exact {
                     *s /= scale;
                 }
             }
-            // Gram–Schmidt with positive factors: the determinant keeps its sign and its digits.
-            let [a, b] = &mut states;
-            let dot = |x: &[f64; 4], y: &[f64; 4]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
-            let size = dot(a, a).sqrt();
-            *a = a.map(|v| v / size);
-            for _ in 0..2 {
-                let along = dot(a, b);
-                b.iter_mut().zip(a.iter()).for_each(|(v, u)| *v -= along * u);
-            }
-            let size = dot(b, b).sqrt();
-            *b = b.map(|v| v / size);
+            orthonormalise(&mut states);
         }
         let condition = |s: &[f64; 4]| match self.root.hold {
             Hold::Clamped => s[1],
@@ -267,11 +264,24 @@ pub fn frequencies(blade: &TestBlade, dof: Dof, speed: f64, highest: f64) -> Vec
     Exact::new(blade, dof, speed, highest).frequencies(speed, highest, 160)
 }
 
+/// Gram–Schmidt with positive factors: the determinant keeps its sign and its digits.
+pub(crate) fn orthonormalise([a, b]: &mut [[f64; 4]; 2]) {
+    let dot = |x: &[f64; 4], y: &[f64; 4]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
+    let size = dot(a, a).sqrt();
+    *a = a.map(|v| v / size);
+    for _ in 0..2 {
+        let along = dot(a, b);
+        b.iter_mut().zip(a.iter()).for_each(|(v, u)| *v -= along * u);
+    }
+    let size = dot(b, b).sqrt();
+    *b = b.map(|v| v / size);
+}
+
 /// Carries (w, s, M, V) from the outboard to the inboard end of a panel.
-fn advance(panel: &Panel, pull: f64, load: f64, state: [f64; 4]) -> [f64; 4] {
+pub(crate) fn advance(panel: &Panel, pull: f64, load: f64, state: [f64; 4]) -> [f64; 4] {
     let [mut w, mut s, mut m, mut v] = state.map(|first| {
-        let mut series = Vec::with_capacity(TERMS + 1);
-        series.push(first);
+        let mut series = [0.0; TERMS + 1];
+        series[0] = first;
         series
     });
     for k in 0..TERMS {
@@ -283,10 +293,10 @@ fn advance(panel: &Panel, pull: f64, load: f64, state: [f64; 4]) -> [f64; 4] {
         }
         let stretch: f64 = panel.centrifugal.iter().take(k + 1).enumerate().map(|(j, c)| c * s[k - j]).sum();
         let weight: f64 = panel.inertia.iter().take(k + 1).enumerate().map(|(j, c)| c * w[k - j]).sum();
-        w.push(-s[k] / next);
-        s.push(bend / panel.stiffness[0] / next);
-        m.push(-(v[k] + pull * stretch) / next);
-        v.push(-load * weight / next);
+        w[k + 1] = -s[k] / next;
+        s[k + 1] = bend / panel.stiffness[0] / next;
+        m[k + 1] = -(v[k] + pull * stretch) / next;
+        v[k + 1] = -load * weight / next;
     }
     [w, s, m, v].map(|series| value(&series, panel.length))
 }

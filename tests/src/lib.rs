@@ -10,8 +10,10 @@
 extern crate alloc;
 
 pub mod blades;
+pub mod bracket;
 pub mod cases;
 pub mod exact;
 pub mod faults;
 pub mod random;
 pub mod solve;
+mod sturm;

@@ -99,12 +99,19 @@ pub fn dof() -> impl Strategy<Value = Dof> {
 /// As many cases as a test asks for (or `PROPTEST_CASES`), from a fixed seed: a run repeats itself
 /// on every machine. `PROPTEST_RNG_SEED` tries others.
 pub fn cases(count: u32) -> ProptestConfig {
+    part_of_cases(0, count)
+}
+
+/// The same for one of several tests that share the cases of one property: each `part` has others.
+pub fn part_of_cases(part: u64, count: u32) -> ProptestConfig {
     let mut config = ProptestConfig { failure_persistence: None, ..ProptestConfig::default() };
     if std::env::var_os("PROPTEST_CASES").is_none() {
         config.cases = count;
     }
-    if std::env::var_os("PROPTEST_RNG_SEED").is_none() {
-        config.rng_seed = prop::test_runner::RngSeed::Fixed(4021);
-    }
+    let seed = match config.rng_seed {
+        prop::test_runner::RngSeed::Fixed(seed) => seed,
+        prop::test_runner::RngSeed::Random => 4021,
+    };
+    config.rng_seed = prop::test_runner::RngSeed::Fixed(seed.wrapping_add(part));
     config
 }

@@ -1,7 +1,7 @@
 //! What must hold for every blade, tried on random ones.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
-use bladefan_core::analysis::{Settings, ShapeScale, SpeedRange, converge, fan, modes, shapes};
+use bladefan_core::analysis::{BasisFamily, Settings, ShapeScale, SpeedRange, converge, fan, modes, shapes};
 use bladefan_core::blade::{BladeDefinition, PropertyDefinition, check};
 use bladefan_core::dof::Dof;
 use bladefan_core::fault::FaultCode;
@@ -138,7 +138,7 @@ proptest! {
     fn crossings_lie_on_ray_and_branch(blade in blade()) {
         let checked = blade.blade();
         let range = SpeedRange { from: 0.0, to: 1.5 * blade.nominal_speed, count: 31 };
-        let settings = Settings { speeds: Some(range), modes: 3, ..Settings::default() };
+        let settings = Settings { basis: BasisFamily::Classical, speeds: Some(range), modes: 3, ..Settings::default() };
         let chart = fan(&checked, &settings).unwrap();
         for crossing in &chart.crossings {
             let ray = f64::from(crossing.harmonic) * crossing.speed_rad_s;

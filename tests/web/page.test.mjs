@@ -152,7 +152,7 @@ pageTest("the slider moves the table, the line and the margins", {}, async (page
   assert.ok(Number(await line.getAttribute("x1")) < x);
   const { value: blade } = await call(page, "parse_blade", await built(page, "tm4760"));
   const { value } = await call(page, "margins", blade, { speed: "330rpm" });
-  const words = Object.fromEntries((await rows(page)).map((row) => [row[0], row[4]]));
+  const words = Object.fromEntries((await rows(page)).map((row) => [row[0], row[6]]));
   for (const margin of value) assert.match(words[margin.label], new RegExp(`(above|below|on) ${margin.nearest_harmonic}P$`));
 
   await page.locator("#nominal").click();
@@ -160,7 +160,7 @@ pageTest("the slider moves the table, the line and the margins", {}, async (page
   await slide(page, 0);
   const rest = await tableAt(page, "Frequencies at 0 rpm");
   assert.equal(rest["1F"], 0);
-  assert.deepEqual((await rows(page))[0], ["1F", "0", "0", "–", "–"]);
+  assert.deepEqual((await rows(page))[0], ["1F", "0", "0", "–", "exact", "0 %", "–"]);
 });
 
 pageTest("the speed is dragged on the chart, typed, and shown in other units", {}, async (page) => {
@@ -204,7 +204,7 @@ pageTest("options reach the solver and their faults stand where they were made",
   await page.locator("#solve-faults li", { hasText: "functions" }).first().waitFor();
   assert.equal(await page.locator("#option-functions").getAttribute("aria-invalid"), "true");
   await page.locator("#option-functions").fill("20");
-  await page.locator("#model", { hasText: "N = 20" }).waitFor();
+  await page.locator("#paper-column", { hasText: "N=20" }).waitFor();
   await page.locator("#solve-faults").waitFor({ state: "hidden" });
 });
 

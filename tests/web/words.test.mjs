@@ -64,8 +64,14 @@ test("CSV quotes what needs it and keeps every digit", () => {
 test("CSV of a fan chart and of a convergence study", () => {
   const fan = { speeds_rad_s: [0, 1.5], branches: [{ label: "1F", frequency_rad_s: [0, 1.6] }, { label: "1T", frequency_rad_s: [7, 7.25] }] };
   assert.equal(fanCsv(fan), "rotor speed [rad/s],1F [rad/s],1T [rad/s]\n0,0,7\n1.5,1.6,7.25\n");
-  const converge = { functions: [1, 2], series: [{ label: "2F", classical_rad_s: [null, 3.5] }] };
-  assert.equal(convergeCsv(converge), "functions,2F [rad/s]\n1,\n2,3.5\n");
+  const converge = {
+    functions: [1, 2],
+    series: [{ label: "2F", classical_rad_s: [null, 3.5], piecewise_functions: [6], piecewise_rad_s: [2.8], converged_rad_s: 2.8 }],
+  };
+  assert.equal(
+    convergeCsv(converge),
+    "mode,family,functions,frequency [rad/s],error [%]\n2F,classical,1,,\n2F,classical,2,3.5,25\n2F,piecewise,6,2.8,0\n",
+  );
 });
 
 test("file names hold nothing that a file system could mind", () => {

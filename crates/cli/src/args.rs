@@ -134,14 +134,14 @@ pub(crate) struct SolverArgs {
     /// Degrees of freedom [default: flap,lag,torsion]
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     dof: Option<String>,
-    /// Family of assumed functions [default: classical]
+    /// Assumed functions: piecewise (converged, with bounds) or classical (the paper's) [default: piecewise]
     #[arg(long, value_name = "FAMILY", allow_hyphen_values = true)]
     basis: Option<String>,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct FunctionsArg {
-    /// Number of assumed functions per degree of freedom [default: 15]
+    /// Number of classical functions per degree of freedom [default: 15]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     functions: Option<String>,
 }

@@ -1,9 +1,12 @@
 //! Results as CSV: units in the header row, numbers in the shortest form that reads back to the
 //! same f64, an empty field where there is no value.
 
+use crate::commands::accuracy::percent;
 use crate::commands::blades::Listed;
 use crate::failure::Failure;
-use bladefan_core::analysis::{BladeSummary, ConvergeReport, FanChart, ModesReport, ShapesReport};
+use bladefan_core::analysis::{
+    BasisFamily, BladeSummary, ConvergeReport, ConvergeSeries, FanChart, ModesReport, ShapesReport,
+};
 use core::fmt::Display;
 
 /// Rows under a header as one text.
@@ -47,7 +50,9 @@ pub(crate) fn modes(report: &ModesReport) -> Result<String, Failure> {
         "frequency [/rev]",
         "lower bound [rad/s]",
         "upper bound [rad/s]",
+        "separation [rad/s]",
         "classical [rad/s]",
+        "converged [rad/s]",
         "residual",
     ]);
     write(
@@ -64,7 +69,9 @@ pub(crate) fn modes(report: &ModesReport) -> Result<String, Failure> {
                 maybe(mode.per_rev),
                 maybe(mode.lower_rad_s),
                 maybe(mode.upper_rad_s),
+                maybe(mode.separation_rad_s),
                 maybe(mode.classical_rad_s),
+                maybe(mode.converged_rad_s),
                 number(mode.residual),
             ]
         }),
@@ -101,18 +108,29 @@ pub(crate) fn shapes(report: &ShapesReport) -> Result<String, Failure> {
     )
 }
 
-/// One row per number of functions, one column per mode.
+/// One row per mode, family and number of functions; the error is against the converged frequency.
 pub(crate) fn converge(report: &ConvergeReport) -> Result<String, Failure> {
-    let mut header = names(&["functions"]);
-    header.extend(report.series.iter().map(|series| format!("{} [rad/s]", series.label)));
-    write(
-        header,
-        report.functions.iter().enumerate().map(|(index, count)| {
-            let values =
-                report.series.iter().map(move |series| maybe(series.classical_rad_s.get(index).copied().flatten()));
-            core::iter::once(count.to_string()).chain(values)
-        }),
-    )
+    let header = names(&["mode", "family", "functions", "frequency [rad/s]", "error [%]"]);
+    let families = |series: &ConvergeSeries| {
+        [
+            (BasisFamily::Classical, report.functions.clone(), series.classical_rad_s.clone()),
+            (BasisFamily::Piecewise, series.piecewise_functions.clone(), series.piecewise_rad_s.clone()),
+        ]
+    };
+    let rows = report.series.iter().flat_map(|series| {
+        families(series).into_iter().flat_map(move |(family, functions, values)| {
+            functions.into_iter().zip(values).map(move |(count, value)| {
+                [
+                    series.label.clone(),
+                    family.name().into(),
+                    count.to_string(),
+                    maybe(value),
+                    maybe(percent(value, series.converged_rad_s)),
+                ]
+            })
+        })
+    });
+    write(header, rows)
 }
 
 /// One row per degree of freedom.

@@ -154,9 +154,9 @@ impl Column {
     }
 }
 
-/// Widths before and from the decimal point of a number.
+/// Widths before and from the decimal point of a number; a unit stands after it.
 fn point(text: &str) -> (usize, usize) {
-    let at = text.find(['.', 'e', '%']).unwrap_or(text.len());
+    let at = text.find(['.', 'e', ' ', '%']).unwrap_or(text.len());
     (text[..at].width(), text[at..].width())
 }
 

@@ -56,6 +56,7 @@ pub mod analysis;
 pub mod blade;
 #[cfg(feature = "chart")]
 pub mod chart;
+pub mod converged;
 pub mod dof;
 pub mod fan;
 pub mod fault;

@@ -69,7 +69,8 @@ export type Speed = number | string;
 export interface SolverOptions {
   modes?: number | string | null;
   dof?: Dof[] | string | null;
-  basis?: "classical" | null;
+  /** Default "piecewise": as many functions as it takes. "classical": the paper's, as many as `functions` says. */
+  basis?: "piecewise" | "classical" | null;
 }
 export interface ModesOptions extends SolverOptions {
   speed?: Speed | null;
@@ -104,7 +105,7 @@ export type ChartOptions = Looks & ((FanOptions & { measured?: string | null }) 
 
 /** Numbers of assumed functions; null for a degree of freedom that was not asked for. */
 export interface Basis {
-  family: "classical";
+  family: "piecewise" | "classical";
   functions: { flap: number | null; lag: number | null; torsion: number | null };
 }
 
@@ -126,9 +127,15 @@ export interface Mode {
   frequency_hz: number;
   /** Null at rest. */
   per_rev: number | null;
+  /** The frequency lies between these bounds. */
   lower_rad_s: number | null;
   upper_rad_s: number | null;
+  /** The bounds of this degree of freedom hold if the mode after the last one listed is not below it; null without any. */
+  separation_rad_s: number | null;
+  /** The paper's functions, as many as `functions` says; null where that is fewer than the mode's number. */
   classical_rad_s: number | null;
+  /** The piecewise functions. */
+  converged_rad_s: number | null;
   residual: number;
 }
 
@@ -169,9 +176,25 @@ export interface ConvergeReport {
   schema: "bladefan-converge/1";
   blade: string;
   speed_rad_s: number;
+  /** Numbers of classical functions. */
   functions: number[];
-  series: { label: string; dof: Dof; number: number; classical_rad_s: (number | null)[]; converged_rad_s: number | null }[];
+  series: ConvergeSeries[];
   warnings: Warning[];
+}
+
+export interface ConvergeSeries {
+  label: string;
+  dof: Dof;
+  number: number;
+  /** One per number of `functions`; null where they are fewer than the mode's number. */
+  classical_rad_s: (number | null)[];
+  converged_rad_s: number | null;
+  lower_rad_s: number | null;
+  upper_rad_s: number | null;
+  /** One polynomial per element, two, … until converged. */
+  piecewise_functions: number[];
+  /** One per number of `piecewise_functions`. */
+  piecewise_rad_s: (number | null)[];
 }
 
 export interface BladeSummary {

@@ -1,14 +1,21 @@
 //! `converge`: frequency against the number of assumed functions.
 
+use super::accuracy::{Bounded, advice, bounds_cell, difference_cell, error_cell, percent};
 use super::{heading, speed};
 use crate::args::{ConvergeArgs, Format};
 use crate::failure::{Failure, warn};
 use crate::output::{self, Output};
 use crate::table::{Align, Cell, Table};
 use crate::{csv, drawing, input, json, progress};
-use bladefan_core::analysis::{self, ConvergeReport, Settings};
+use bladefan_core::analysis::{self, BasisFamily, ConvergeReport, ConvergeSeries};
 use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::dof::Dof;
+use core::fmt::Write as _;
+
+/// What the paper calls converged.
+const PAPER: usize = 15;
+/// Numbers of classical functions whose errors are shown, beside the largest.
+const SHOWN: [usize; 9] = [1, 2, 3, 5, 7, 10, 15, 30, 100];
 
 pub(super) fn run(args: &ConvergeArgs) -> Result<Output, Failure> {
     let settings = args.settings()?;
@@ -18,7 +25,7 @@ pub(super) fn run(args: &ConvergeArgs) -> Result<Output, Failure> {
     let report = report.map_err(|faults| Failure::faults(&input.name, &faults))?;
     warn(&report.warnings);
     let text = match args.result.format {
-        Format::Table => table(&report, &settings),
+        Format::Table => table(&report),
         Format::Json => json::line(&report)?,
         Format::Csv => csv::converge(&report)?,
     };
@@ -29,25 +36,80 @@ pub(super) fn run(args: &ConvergeArgs) -> Result<Output, Failure> {
     Output::new(text, &args.result).draw(&args.drawing, draw)
 }
 
-/// One table per degree of freedom: a row for each number of functions, a column for each mode.
-fn table(report: &ConvergeReport, settings: &Settings) -> String {
-    let basis = format!("{} functions, N = 1 to {}", settings.basis.name(), settings.up_to);
-    let mut text = heading(&report.blade, &format!("frequency [rad/s] at {}", speed(report.speed_rad_s)), &basis);
-    let mut tables = Vec::new();
+/// The converged frequencies, then the errors of both families.
+fn table(report: &ConvergeReport) -> String {
+    let most = report.functions.last().copied().unwrap_or(1);
+    let functions = format!("classical functions, N = 1 to {most}; piecewise functions until converged");
+    let mut text = heading(&report.blade, &format!("convergence at {}", speed(report.speed_rad_s)), &functions);
+    text += &frequencies(report, PAPER.min(most)).render();
+    text += &advice(BasisFamily::Piecewise, report.series.iter().map(bounded));
+    text += "\nError [%] of N classical functions against the converged frequency\n";
+    text += &classical(report, most).render();
     for dof in Dof::ALL {
         let series: Vec<_> = report.series.iter().filter(|series| series.dof == dof).collect();
-        if series.is_empty() {
-            continue;
+        if !series.is_empty() {
+            // Writing to a string does not fail.
+            let _ = write!(text, "\nError [%] of N piecewise functions, {dof}\n{}", piecewise(&series).render());
         }
-        let labels = series.iter().map(|series| (series.label.clone(), Align::Point));
-        let mut table = Table::new(core::iter::once((String::from("N"), Align::Point)).chain(labels));
-        for (index, count) in report.functions.iter().enumerate() {
-            let values = series.iter().map(|series| series.classical_rad_s.get(index).copied().flatten());
-            let values = values.map(|value| value.map_or_else(|| Cell::text("-"), |value| Cell::number(value, 6)));
-            table.row(core::iter::once(Cell::text(count.to_string())).chain(values));
-        }
-        tables.push(table.render());
     }
-    text.push_str(&tables.join("\n"));
     text
+}
+
+fn bounded(series: &ConvergeSeries) -> Option<Bounded> {
+    Bounded::new(series.converged_rad_s, series.lower_rad_s, series.upper_rad_s)
+}
+
+/// What `count` classical functions give.
+fn by_classical(report: &ConvergeReport, series: &ConvergeSeries, count: usize) -> Option<f64> {
+    let index = report.functions.iter().position(|&functions| functions == count)?;
+    series.classical_rad_s.get(index).copied().flatten()
+}
+
+/// Every mode between its bounds, beside what `count` classical functions give.
+fn frequencies(report: &ConvergeReport, count: usize) -> Table {
+    let mut table = Table::new([
+        (String::from("mode"), Align::Left),
+        (String::from("converged\n[rad/s]"), Align::Point),
+        (String::from("bounds\n[rad/s]"), Align::Left),
+        (format!("classical N={count}\n[rad/s]"), Align::Point),
+        (String::from("error"), Align::Point),
+    ]);
+    for series in &report.series {
+        let classical = by_classical(report, series, count);
+        table.row([
+            Cell::label(&series.label, Some(series.dof)),
+            Cell::maybe(series.converged_rad_s, 6),
+            bounds_cell(bounded(series)),
+            Cell::maybe(classical, 6),
+            difference_cell(percent(classical, series.converged_rad_s)),
+        ]);
+    }
+    table
+}
+
+fn classical(report: &ConvergeReport, most: usize) -> Table {
+    let mut shown: Vec<usize> = SHOWN.into_iter().filter(|count| *count < most).collect();
+    shown.push(most);
+    let mut table = Table::new(headers(&shown));
+    for series in &report.series {
+        let errors =
+            shown.iter().map(|&count| error_cell(percent(by_classical(report, series, count), series.converged_rad_s)));
+        table.row(core::iter::once(Cell::label(&series.label, Some(series.dof))).chain(errors));
+    }
+    table
+}
+
+/// Of one degree of freedom: each has its own numbers of functions.
+fn piecewise(series: &[&ConvergeSeries]) -> Table {
+    let mut table = Table::new(headers(series.first().map_or(&[], |first| &first.piecewise_functions)));
+    for series in series {
+        let errors = series.piecewise_rad_s.iter().map(|&value| error_cell(percent(value, series.converged_rad_s)));
+        table.row(core::iter::once(Cell::label(&series.label, Some(series.dof))).chain(errors));
+    }
+    table
+}
+
+fn headers(counts: &[usize]) -> impl Iterator<Item = (String, Align)> {
+    let counts = counts.iter().map(|count| (format!("N={count}"), Align::Point));
+    core::iter::once((String::from("mode"), Align::Left)).chain(counts)
 }

@@ -1,7 +1,7 @@
 //! `fan`: the fan chart.
 
 use super::measured::{self, Compared};
-use super::{MODE_COLUMNS, basis, heading, margin_cells, pick, speed};
+use super::{MARGIN_COLUMNS, MODE_COLUMNS, basis, heading, margin_cells, pick, speed};
 use crate::args::{FanArgs, Format};
 use crate::failure::{Failure, warn};
 use crate::output::{self, Output};
@@ -102,7 +102,7 @@ fn branches(chart: &FanChart) -> Table {
 /// Every branch at nominal speed with the harmonic it is nearest to, and its Southwell line.
 fn margins(chart: &FanChart) -> Table {
     let southwell = [("Southwell k0\n[rad²/s²]", Align::Point), ("k1", Align::Point)];
-    let mut table = Table::new(MODE_COLUMNS.into_iter().chain(southwell));
+    let mut table = Table::new(MODE_COLUMNS.into_iter().chain(MARGIN_COLUMNS).chain(southwell));
     for branch in &chart.branches {
         let margin = chart.nominal.margins.iter().find(|margin| margin.label == branch.label);
         let frequency = margin.map(|margin| margin.per_rev * chart.nominal.speed_rad_s);

@@ -1,5 +1,6 @@
 //! One file per command: read, solve, render.
 
+pub(crate) mod accuracy;
 pub(crate) mod blades;
 mod check;
 mod converge;
@@ -12,7 +13,8 @@ use crate::args::Command;
 use crate::failure::Failure;
 use crate::output::Output;
 use crate::table::{Align, Cell, WIDTH, short, wrap};
-use bladefan_core::analysis::{BasisReport, MODEL, Margin};
+use bladefan_core::analysis::{BasisFamily, BasisReport, MODEL, Margin};
+use bladefan_core::dof::Dof;
 use bladefan_core::units;
 
 /// Runs a command; what it made is still to be written.
@@ -27,10 +29,14 @@ pub(crate) fn run(command: &Command) -> Result<Output, Failure> {
     }
 }
 
-/// The two lines above every table: which blade at what speed, and what the model is.
+/// The lines above every table: which blade at what speed, what the functions and the model are.
 fn heading(blade: &str, what: &str, basis: &str) -> String {
-    let [first, second] = [format!("{blade}, {what}"), format!("{basis}; {MODEL}")].map(|line| wrap(&line, 0, WIDTH));
-    format!("{first}\n{second}\n\n")
+    let together = format!("{basis}; {MODEL}");
+    let fits = together.chars().count() <= WIDTH;
+    let model = if fits { vec![together] } else { vec![String::from(basis), String::from(MODEL)] };
+    let lines = core::iter::once(format!("{blade}, {what}")).chain(model);
+    let lines: String = lines.map(|line| wrap(&line, 0, WIDTH) + "\n").collect();
+    lines + "\n"
 }
 
 /// A rotor speed as in headings.
@@ -41,10 +47,18 @@ fn speed(speed: f64) -> String {
 /// The assumed functions as in headings.
 fn basis(report: &BasisReport) -> String {
     let counts = report.functions;
-    let mut given: Vec<usize> = [counts.flap, counts.lag, counts.torsion].into_iter().flatten().collect();
-    given.dedup();
-    let counts: Vec<String> = given.iter().map(usize::to_string).collect();
-    format!("{} functions, N = {}", report.family.name(), counts.join(", "))
+    let known: Vec<(Dof, usize)> = Dof::ALL
+        .into_iter()
+        .zip([counts.flap, counts.lag, counts.torsion])
+        .filter_map(|(dof, count)| Some((dof, count?)))
+        .collect();
+    // The user chose one number of classical functions for all.
+    if let (BasisFamily::Classical, Some((_, count))) = (report.family, known.first()) {
+        return format!("classical, {count} functions");
+    }
+    let each = known.iter().map(|(dof, count)| format!("{dof} {count}"));
+    let words: Vec<String> = core::iter::once(format!("{} functions", report.family.name())).chain(each).collect();
+    words.join(", ")
 }
 
 /// Indices of at most `most` of `len` rows: first and last, evenly spaced where that is possible.
@@ -58,15 +72,17 @@ fn pick(len: usize, most: usize) -> Vec<usize> {
     picked
 }
 
-/// Headers of a mode at one rotor speed; [`margin_cells`] fills the last two.
-const MODE_COLUMNS: [(&str, Align); 6] = [
-    ("mode", Align::Left),
-    ("rad/s", Align::Point),
-    ("Hz", Align::Point),
-    ("/rev", Align::Point),
-    ("nearest", Align::Left),
-    ("margin\n[/rev]", Align::Point),
-];
+/// Headers of a mode at one rotor speed.
+const MODE_COLUMNS: [(&str, Align); 4] =
+    [("mode", Align::Left), ("rad/s", Align::Point), ("Hz", Align::Point), ("/rev", Align::Point)];
+
+/// Headers of what [`margin_cells`] fills.
+const MARGIN_COLUMNS: [(&str, Align); 2] = [("nearest", Align::Left), ("margin\n[/rev]", Align::Point)];
+
+/// A header beside ones that are made up.
+fn own((name, align): (&str, Align)) -> (String, Align) {
+    (name.into(), align)
+}
 
 /// The nearest harmonic and the margin to it; there is none at rest.
 fn margin_cells(margin: Option<&Margin>) -> [Cell; 2] {

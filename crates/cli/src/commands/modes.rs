@@ -1,12 +1,13 @@
 //! `modes`: frequencies at one rotor speed.
 
-use super::{MODE_COLUMNS, basis, heading, margin_cells, speed};
+use super::accuracy::{Bounded, advice, bounds_cell, difference, difference_cell, percent};
+use super::{MARGIN_COLUMNS, MODE_COLUMNS, basis, heading, margin_cells, own, speed};
 use crate::args::{Format, ModesArgs};
 use crate::failure::{Failure, warn};
 use crate::output::{self, Output};
 use crate::table::{Align, Cell, Table};
 use crate::{csv, input, json, progress};
-use bladefan_core::analysis::{self, ModesReport};
+use bladefan_core::analysis::{self, BasisFamily, ModeReport, ModesReport};
 
 pub(super) fn run(args: &ModesArgs) -> Result<Output, Failure> {
     let settings = args.settings()?;
@@ -16,27 +17,42 @@ pub(super) fn run(args: &ModesArgs) -> Result<Output, Failure> {
     let report = report.map_err(|faults| Failure::faults(&input.name, &faults))?;
     warn(&report.warnings);
     let text = match args.result.format {
-        Format::Table => table(&report),
+        Format::Table => table(&report, settings.functions),
         Format::Json => json::line(&report)?,
         Format::Csv => csv::modes(&report)?,
     };
     Ok(Output::new(text, &args.result))
 }
 
-fn table(report: &ModesReport) -> String {
-    let mut table = Table::new(MODE_COLUMNS.into_iter().chain([("residual", Align::Point)]));
+fn table(report: &ModesReport, functions: usize) -> String {
+    let family = report.basis.family;
+    // Either way it is the paper's functions against the converged frequency. Bounds far apart leave
+    // no room for a unit in every row.
+    let paper = match family {
+        BasisFamily::Classical => String::from("error\n[%]"),
+        BasisFamily::Piecewise => format!("paper\nN={functions}"),
+    };
+    let accuracy = [(String::from("bounds\n[rad/s]"), Align::Left), (paper, Align::Point)];
+    let mut table = Table::new(MODE_COLUMNS.map(own).into_iter().chain(accuracy).chain(MARGIN_COLUMNS.map(own)));
     let margins = analysis::margins(report);
+    let bounded = |mode: &ModeReport| Bounded::new(Some(mode.frequency_rad_s), mode.lower_rad_s, mode.upper_rad_s);
     for (index, mode) in report.modes.iter().enumerate() {
         let [nearest, distance] = margin_cells(margins.get(index));
+        let error = percent(mode.classical_rad_s, mode.converged_rad_s);
         table.row([
             Cell::label(&mode.label, Some(mode.dof)),
             Cell::number(mode.frequency_rad_s, 5),
             Cell::number(mode.frequency_hz, 5),
             Cell::maybe(mode.per_rev, 4),
+            bounds_cell(bounded(mode)),
+            match family {
+                BasisFamily::Classical => Cell::text(difference(error)),
+                BasisFamily::Piecewise => difference_cell(error),
+            },
             nearest,
             distance,
-            Cell::number(mode.residual, 1),
         ]);
     }
-    heading(&report.blade, &speed(report.speed_rad_s), &basis(&report.basis)) + &table.render()
+    let heading = heading(&report.blade, &speed(report.speed_rad_s), &basis(&report.basis));
+    heading + &table.render() + &advice(family, report.modes.iter().map(bounded))
 }

@@ -118,8 +118,20 @@ fn csv_has_the_same_numbers_under_headers_with_units() {
         assert_eq!(header[..4], ["r [m]", "1F displacement", "1F slope [1/m]", "1F moment [N·m]"]);
         assert_eq!((shapes.len(), header.len()), (101, 46));
         let (header, converge) = rows("converge");
-        assert_eq!((header[0].as_str(), header[2].as_str()), ("functions", "2F [rad/s]"));
-        assert_eq!((converge.len(), converge[0][2].as_str()), (16, ""), "one function has no second mode");
+        assert_eq!(header, ["mode", "family", "functions", "frequency [rad/s]", "error [%]"]);
+        let row = |mode: &str, family: &str, functions: &str| {
+            converge.iter().find(|row| row[..3] == [mode, family, functions]).unwrap()
+        };
+        assert_eq!(row("2F", "classical", "1")[3..], ["", ""], "one function has no second mode");
+        let report = analysis::converge(&blade, &Settings::default()).unwrap();
+        let series = &report.series[1];
+        let (paper, converged) = (series.classical_rad_s[14].unwrap(), series.converged_rad_s.unwrap());
+        let paper_row = row("2F", "classical", "15");
+        assert_eq!(number(&paper_row[3]).to_bits(), paper.to_bits(), "{name}");
+        assert!((number(&paper_row[4]) - 100.0 * (paper / converged - 1.0)).abs() < 1e-9, "{name}");
+        let steps = &series.piecewise_functions;
+        row("2F", "piecewise", &steps.last().unwrap().to_string());
+        assert!(converge.len() > 15 * (16 + steps.len() / 2), "{name}: every number of functions of both families");
         assert_eq!(rows("check").1.len(), 3);
     }
 }

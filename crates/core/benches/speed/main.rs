@@ -1,18 +1,21 @@
 //! Speed of the solver, and of the paper's own algorithm on the same matrices.
 //!
 //! `cargo bench -p bladefan-core` measures everything and ends with the ratios. With
-//! `-- --chart-time` only the time of one fan chart is printed, in milliseconds.
+//! `-- --chart-time` only three times are printed, in milliseconds: of one converged fan chart, of
+//! one with the paper's functions, and of one speed with bounds.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints, and stops on a fault")]
 
+mod converged;
 mod march;
 
-use bladefan_core::analysis::{Settings, fan, modes};
+use bladefan_core::analysis::{BasisFamily, Settings, fan, modes};
 use bladefan_core::blade::Blade;
 use bladefan_core::dof::Dof;
 use bladefan_core::file::{Format, read};
-use bladefan_core::lagrange::{SystemMatrices, assemble, classical_functions};
+use bladefan_core::lagrange::{Energies, Fields, Grid, SystemMatrices, assemble, classical_functions};
 use bladefan_core::library;
 use bladefan_core::modes::solve;
+use bladefan_core::numerics::quadrature::GaussRules;
 use core::hint::black_box;
 use core::time::Duration;
 use criterion::{BenchmarkId, Criterion};
@@ -31,7 +34,14 @@ fn tm4760() -> Blade {
 }
 
 fn matrices(blade: &Blade, functions: usize) -> Vec<SystemMatrices> {
-    Dof::ALL.iter().map(|&dof| assemble(blade, dof, classical_functions(blade, dof, functions).as_ref())).collect()
+    let rules = GaussRules::new();
+    let of_dof = |&dof: &Dof| {
+        let functions = classical_functions(blade, dof, functions);
+        let grid = Grid::for_functions(blade, dof, functions.as_ref(), &rules, 0);
+        let fields = Fields::sample(&grid, functions.as_ref());
+        assemble(&grid, Energies::new(&grid, &fields), functions.has_rigid_motion())
+    };
+    Dof::ALL.iter().map(of_dof).collect()
 }
 
 /// Frequencies of all degrees of freedom at one speed by this solver.
@@ -46,8 +56,8 @@ fn one_speed_marched(matrices: &[SystemMatrices], speed: f64) -> Vec<f64> {
 }
 
 /// The chart of the built-in default: 3 × 5 modes, 0 to 1.2 × nominal, 101 speeds.
-fn chart_settings() -> Settings {
-    Settings { modes: MODES, functions: FUNCTIONS, ..Settings::default() }
+fn chart_settings(basis: BasisFamily) -> Settings {
+    Settings { modes: MODES, functions: FUNCTIONS, basis, ..Settings::default() }
 }
 
 /// Least time of `runs` runs [s]: the one that other work on the machine disturbed least.
@@ -59,9 +69,15 @@ fn best(runs: usize, mut f: impl FnMut()) -> f64 {
     })
 }
 
-fn chart_time(blade: &Blade) -> f64 {
-    let settings = chart_settings();
+fn chart_time(blade: &Blade, basis: BasisFamily) -> f64 {
+    let settings = chart_settings(basis);
     best(101, || drop(black_box(fan(black_box(blade), &settings).unwrap())))
+}
+
+/// One speed with bounds and the paper's values beside.
+fn modes_time(blade: &Blade) -> f64 {
+    let settings = chart_settings(BasisFamily::Piecewise);
+    best(101, || drop(black_box(modes(black_box(blade), &settings).unwrap())))
 }
 
 fn parts(criterion: &mut Criterion, blade: &Blade) {
@@ -72,16 +88,21 @@ fn parts(criterion: &mut Criterion, blade: &Blade) {
         b.iter(|| matrices(black_box(blade), FUNCTIONS));
     });
     group.bench_function("one speed from assembled matrices", |b| b.iter(|| one_speed(black_box(&assembled), speed)));
-    let settings = chart_settings();
-    group.bench_function("one speed from the parsed blade", |b| b.iter(|| modes(black_box(blade), &settings).unwrap()));
+    let settings = chart_settings(BasisFamily::Piecewise);
+    group.bench_function("one speed with bounds and the paper's values", |b| {
+        b.iter(|| modes(black_box(blade), &settings).unwrap());
+    });
     group.finish();
 }
 
 fn chart(criterion: &mut Criterion, blade: &Blade) {
     let mut group = criterion.benchmark_group("fan chart, 3 x 5 modes, 101 speeds, 15 functions");
-    let settings = chart_settings();
-    group
-        .bench_function("this solver, from the parsed blade", |b| b.iter(|| fan(black_box(blade), &settings).unwrap()));
+    for basis in [BasisFamily::Piecewise, BasisFamily::Classical] {
+        let settings = chart_settings(basis);
+        group.bench_function(format!("{}, from the checked blade", basis.name()), |b| {
+            b.iter(|| fan(black_box(blade), &settings).unwrap());
+        });
+    }
     let assembled = matrices(blade, FUNCTIONS);
     let speed = blade.nominal_speed();
     group.bench_function("paper's algorithm, one of the 101 speeds", |b| {
@@ -138,8 +159,8 @@ fn ratios(blade: &Blade) {
         .fold(0.0, f64::max);
     println!("Both find the same 15 frequencies; largest relative difference {worst:.1e}.");
 
-    let chart = chart_time(blade);
-    let settings = chart_settings();
+    let chart = chart_time(blade, BasisFamily::Classical);
+    let settings = chart_settings(BasisFamily::Classical);
     let speeds = settings.speeds_or(speed).speeds();
     let start = Instant::now();
     let assembled = matrices(blade, FUNCTIONS);
@@ -152,6 +173,18 @@ fn ratios(blade: &Blade) {
         1e3 * chart,
         marched / chart
     );
+    let one_by_one = best(11, || {
+        let assembled = matrices(blade, FUNCTIONS);
+        for &speed in &speeds {
+            drop(black_box(one_speed(&assembled, speed)));
+        }
+    });
+    println!(
+        "The {} dense problems of that chart one by one: {:.2} ms, ratio {:.1}.",
+        3 * speeds.len(),
+        1e3 * one_by_one,
+        one_by_one / chart
+    );
     println!(
         "For scale: the paper reports {REPORTED} s for ONE speed (Fig. 8, 2 GHz computer, 2014); our whole chart takes {:.2} % of that.",
         100.0 * chart / REPORTED
@@ -161,7 +194,10 @@ fn ratios(blade: &Blade) {
 fn main() {
     let blade = tm4760();
     if std::env::args().any(|argument| argument == "--chart-time") {
-        println!("{:.4}", 1e3 * chart_time(&blade));
+        for basis in [BasisFamily::Piecewise, BasisFamily::Classical] {
+            println!("{:.4}", 1e3 * chart_time(&blade, basis));
+        }
+        println!("{:.4}", 1e3 * modes_time(&blade));
         return;
     }
     let mut criterion = Criterion::default()
@@ -176,5 +212,6 @@ fn main() {
     // `cargo test` runs each measurement once, as a test, and has no use for ratios.
     if std::env::args().any(|argument| argument == "--bench") {
         ratios(&blade);
+        converged::ratios(&blade);
     }
 }

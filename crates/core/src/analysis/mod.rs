@@ -1,6 +1,7 @@
 //! The facade: what the command line and the page call. It composes the other rooms and adds no
 //! formula of its own.
 
+mod basis;
 mod report;
 mod settings;
 
@@ -11,51 +12,80 @@ pub use report::{
 pub use settings::{BasisFamily, Settings, ShapeScale, SpeedRange};
 
 use crate::blade::{Blade, RootCondition, moments};
+use crate::converged::{Converged, TOLERANCE};
 use crate::dof::Dof;
 use crate::fan::{Curves, meet_rays};
-use crate::fault::{Fault, FaultCode};
-use crate::lagrange::{SystemMatrices, assemble, classical_functions, tabulate, torsion_norm};
+use crate::fault::{Fault, FaultCode, Warning};
+use crate::functions::MOST_ORDER;
+use crate::lagrange::{SystemMatrices, tabulate, torsion_norm};
 use crate::modes::{self, Mode, SolveError};
 use crate::numerics::eigen::EigenError;
+use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::{round, sqrt};
 use crate::units;
+use alloc::boxed::Box;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
+use basis::{Basis, Classical, converged, solve};
 
 /// One plain line that says what the model is; it stands with every table and chart.
 pub const MODEL: &str = "uncoupled, in vacuum, zero pitch, the paper's torsion term";
 
-/// Frequencies of every degree of freedom asked for at one speed.
+/// Frequencies of every degree of freedom asked for at one speed, with two-sided bounds and the
+/// paper's values beside them.
 ///
 /// # Errors
 /// Faults in the settings, or equations without an answer.
 pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Vec<Fault>> {
     none(settings.check())?;
+    let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
+    let square = speed * speed;
     let mut report = ModesReport {
         schema: "bladefan-modes/1",
         blade: blade.name().to_string(),
         speed_rad_s: speed,
-        basis: basis(settings),
+        basis: BasisReport { family: settings.basis, functions: FunctionCounts::default() },
         modes: Vec::new(),
         warnings: blade.warnings().to_vec(),
     };
     for dof in settings.ordered_dofs() {
-        let solved = solve(&matrices(blade, dof, settings.functions), speed, settings.modes)?;
-        report.modes.extend(solved.iter().enumerate().map(|(index, mode)| ModeReport {
-            label: label(dof, index + 1),
-            dof,
-            number: index + 1,
-            frequency_rad_s: mode.frequency,
-            frequency_hz: units::hz(mode.frequency),
-            per_rev: units::per_rev(mode.frequency, speed),
-            lower_rad_s: None,
-            upper_rad_s: None,
-            classical_rad_s: Some(mode.frequency),
-            residual: mode.residual,
-        }));
+        let for_bounds = settings.basis == BasisFamily::Classical;
+        let paper = Classical::new(blade, dof, settings.functions, &rules, for_bounds);
+        // One mode more than asked for separates the last one from the rest.
+        let found = converged(blade, dof, (square, square), settings.modes + 1, &rules)?;
+        let reference = solve(found.matrices(), speed, settings.modes + 1)?;
+        let by_paper = available(&paper.matrices, square, settings.modes).map_err(unsolvable)?;
+        let error = found.error();
+        let basis = match settings.basis {
+            BasisFamily::Classical => Basis::Classical(Box::new(paper)),
+            BasisFamily::Piecewise => Basis::Piecewise(Box::new(found)),
+        };
+        let solved = match settings.basis {
+            BasisFamily::Classical => solve(basis.matrices(), speed, settings.modes)?,
+            BasisFamily::Piecewise => reference.get(..settings.modes).unwrap_or(&reference).to_vec(),
+        };
+        let bounds = basis.bounds(&solved, &reference, square, &rules);
+        report.basis.functions.set(dof, basis.count());
+        note(&mut report.warnings, dof, error);
+        for (index, (mode, interval)) in solved.iter().zip(&bounds.intervals).enumerate() {
+            report.modes.push(ModeReport {
+                label: label(dof, index + 1),
+                dof,
+                number: index + 1,
+                frequency_rad_s: mode.frequency,
+                frequency_hz: units::hz(mode.frequency),
+                per_rev: units::per_rev(mode.frequency, speed),
+                lower_rad_s: Some(sqrt(interval.lower)),
+                upper_rad_s: Some(sqrt(interval.upper)),
+                separation_rad_s: bounds.separation.map(|square| sqrt(square.max(0.0))),
+                classical_rad_s: by_paper.get(index).map(|mode| mode.frequency),
+                converged_rad_s: reference.get(index).map(|mode| mode.frequency),
+                residual: mode.residual,
+            });
+        }
     }
     Ok(report)
 }
@@ -72,14 +102,16 @@ pub fn margins(report: &ModesReport) -> Vec<Margin> {
 /// Faults in the settings, or equations without an answer.
 pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Vec<Fault>> {
     none(settings.check())?;
+    let rules = GaussRules::new();
     let nominal = blade.nominal_speed();
     let range = settings.speeds_or(nominal);
+    let highest = range.to.max(nominal);
     let mut chart = FanChart {
         schema: "bladefan-fan/1",
         blade: blade.name().to_string(),
         blades: blade.blades(),
         harmonics: settings.harmonics,
-        basis: basis(settings),
+        basis: BasisReport { family: settings.basis, functions: FunctionCounts::default() },
         speeds_rad_s: range.speeds(),
         branches: Vec::new(),
         crossings: Vec::new(),
@@ -88,10 +120,14 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Vec<Fault>> {
         warnings: blade.warnings().to_vec(),
     };
     for dof in settings.ordered_dofs() {
-        let matrices = matrices(blade, dof, settings.functions);
-        let at_rest = solve(&matrices, 0.0, settings.modes)?;
+        // From rest, where the Southwell coefficients are taken, past nominal speed.
+        let basis = Basis::new(blade, dof, settings, (0.0, highest * highest), settings.modes, &rules)?;
+        chart.basis.functions.set(dof, basis.count());
+        note(&mut chart.warnings, dof, basis.error());
+        let matrices = basis.matrices();
+        let at_rest = solve(matrices, 0.0, settings.modes)?;
         let curves =
-            Curves::fit(&matrices, range.from * range.from, range.to * range.to, settings.modes).map_err(unsolvable)?;
+            Curves::fit(matrices, range.from * range.from, range.to * range.to, settings.modes).map_err(unsolvable)?;
         chart.branches.extend(at_rest.iter().enumerate().map(|(index, mode)| Branch {
             label: label(dof, index + 1),
             dof,
@@ -116,7 +152,7 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Vec<Fault>> {
         chart.coincident.extend(
             rays.coincident.iter().map(|&(branch, harmonic)| Coincidence { label: label(dof, branch + 1), harmonic }),
         );
-        let at_nominal = solve(&matrices, nominal, settings.modes)?;
+        let at_nominal = solve(matrices, nominal, settings.modes)?;
         chart.nominal.margins.extend(
             at_nominal.iter().enumerate().map(|(index, mode)| margin(label(dof, index + 1), mode.frequency / nominal)),
         );
@@ -130,6 +166,7 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Vec<Fault>> {
 /// Faults in the settings, or equations without an answer.
 pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Vec<Fault>> {
     none(settings.check())?;
+    let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
     let (inner, radius) = (blade.least_offset(), blade.radius());
     let last = settings.points - 1;
@@ -139,21 +176,24 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Vec<Fa
         schema: "bladefan-shapes/1",
         blade: blade.name().to_string(),
         speed_rad_s: speed,
-        basis: basis(settings),
+        basis: BasisReport { family: settings.basis, functions: FunctionCounts::default() },
         r_m: Vec::new(),
         radius_m: radius,
         shapes: Vec::new(),
         warnings: blade.warnings().to_vec(),
     };
     for dof in settings.ordered_dofs() {
-        let functions = classical_functions(blade, dof, settings.functions);
-        let matrices = assemble(blade, dof, functions.as_ref());
-        let solved = solve(&matrices, speed, settings.modes)?;
-        let tables = tabulate(blade, dof, functions.as_ref(), &radii);
+        let basis = Basis::new(blade, dof, settings, (speed * speed, speed * speed), settings.modes, &rules)?;
+        report.basis.functions.set(dof, basis.count());
+        note(&mut report.warnings, dof, basis.error());
+        let solved = solve(basis.matrices(), speed, settings.modes)?;
+        let mass = basis.matrices().mass().clone();
+        let functions = basis.into_functions();
+        let tables = tabulate(blade, dof, functions.as_ref(), &radii, &rules);
         let norm = match (settings.normalise, dof) {
             (ShapeScale::Max, _) => None,
-            (ShapeScale::Mass, Dof::Flap | Dof::Lag) => Some(matrices.mass().clone()),
-            (ShapeScale::Mass, Dof::Torsion) => Some(torsion_norm(blade, functions.as_ref())),
+            (ShapeScale::Mass, Dof::Flap | Dof::Lag) => Some(mass),
+            (ShapeScale::Mass, Dof::Torsion) => Some(torsion_norm(blade, functions.as_ref(), &rules)),
         };
         let sampled = modes::shapes(&tables, &solved, speed * speed, norm.as_ref());
         report.shapes.extend(solved.iter().zip(sampled).enumerate().map(|(index, (mode, shape))| ShapeReport {
@@ -177,6 +217,7 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Vec<Fa
 /// Faults in the settings, or equations without an answer.
 pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Vec<Fault>> {
     none(settings.check_converge())?;
+    let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
     let mut report = ConvergeReport {
         schema: "bladefan-converge/1",
@@ -186,24 +227,59 @@ pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Ve
         series: Vec::new(),
         warnings: blade.warnings().to_vec(),
     };
+    let square = speed * speed;
     for dof in settings.ordered_dofs() {
-        let matrices = matrices(blade, dof, settings.up_to);
+        let matrices = Classical::new(blade, dof, settings.up_to, &rules, false).matrices;
         let mut values = vec![Vec::with_capacity(settings.up_to); settings.modes];
         for &count in &report.functions {
-            let solved = available(&matrices.leading(count), speed * speed, settings.modes).map_err(unsolvable)?;
+            let solved = available(&matrices.leading(count), square, settings.modes).map_err(unsolvable)?;
             for (index, series) in values.iter_mut().enumerate() {
                 series.push(solved.get(index).map(|mode| mode.frequency));
             }
         }
+        let steps = piecewise_steps(blade, dof, speed, settings.modes, &rules)?;
+        let found = converged(blade, dof, (square, square), settings.modes + 1, &rules)?;
+        let reference = solve(found.matrices(), speed, settings.modes + 1)?;
+        let error = found.error();
+        let solved = reference.get(..settings.modes).unwrap_or(&reference);
+        let bounds = Basis::Piecewise(Box::new(found)).bounds(solved, &reference, square, &rules);
+        note(&mut report.warnings, dof, error);
         report.series.extend(values.into_iter().enumerate().map(|(index, classical_rad_s)| ConvergeSeries {
             label: label(dof, index + 1),
             dof,
             number: index + 1,
             classical_rad_s,
-            converged_rad_s: None,
+            converged_rad_s: solved.get(index).map(|mode| mode.frequency),
+            lower_rad_s: bounds.intervals.get(index).map(|interval| sqrt(interval.lower)),
+            upper_rad_s: bounds.intervals.get(index).map(|interval| sqrt(interval.upper)),
+            piecewise_functions: steps.iter().map(|(count, _)| *count).collect(),
+            piecewise_rad_s: steps.iter().map(|(_, modes)| modes.get(index).map(|mode| mode.frequency)).collect(),
         }));
     }
     Ok(report)
+}
+
+/// Modes with more and more piecewise functions: one polynomial per element, two, three, … until
+/// they are converged.
+fn piecewise_steps(
+    blade: &Blade,
+    dof: Dof,
+    speed: f64,
+    count: usize,
+    rules: &GaussRules,
+) -> Result<Vec<(usize, Vec<Mode>)>, Vec<Fault>> {
+    let mut steps = Vec::new();
+    for order in 1..=MOST_ORDER {
+        let cause = |cause| unsolvable(SolveError { dof, cause });
+        let found = Converged::with_order(blade, dof, speed * speed, count, order, rules).map_err(cause)?;
+        let modes = available(found.matrices(), speed * speed, count).map_err(unsolvable)?;
+        let done = found.error() <= TOLERANCE && modes.len() == count;
+        steps.push((found.count(), modes));
+        if done {
+            break;
+        }
+    }
+    Ok(steps)
 }
 
 /// Mass, inertia and static moments of a blade.
@@ -257,14 +333,6 @@ fn none(faults: Vec<Fault>) -> Result<(), Vec<Fault>> {
     if faults.is_empty() { Ok(()) } else { Err(faults) }
 }
 
-fn matrices(blade: &Blade, dof: Dof, count: usize) -> SystemMatrices {
-    assemble(blade, dof, classical_functions(blade, dof, count).as_ref())
-}
-
-fn solve(matrices: &SystemMatrices, speed: f64, count: usize) -> Result<Vec<Mode>, Vec<Fault>> {
-    modes::solve(matrices, speed * speed, count).map_err(unsolvable)
-}
-
 /// As many modes as so few functions determine.
 fn available(matrices: &SystemMatrices, speed_squared: f64, count: usize) -> Result<Vec<Mode>, SolveError> {
     match modes::solve(matrices, speed_squared, count) {
@@ -279,11 +347,13 @@ fn unsolvable(error: SolveError) -> Vec<Fault> {
     vec![Fault::new(FaultCode::Unsolvable, error.dof.name(), None, rule, error.to_string())]
 }
 
-fn basis(settings: &Settings) -> BasisReport {
-    let asked = |dof: Dof| settings.dofs.contains(&dof).then_some(settings.functions);
-    BasisReport {
-        family: settings.basis,
-        functions: FunctionCounts { flap: asked(Dof::Flap), lag: asked(Dof::Lag), torsion: asked(Dof::Torsion) },
+/// Says so where the piecewise functions did not reach their tolerance.
+fn note(warnings: &mut Vec<Warning>, dof: Dof, error: f64) {
+    if error > TOLERANCE {
+        warnings.push(Warning {
+            path: dof.name().to_string(),
+            message: format!("{dof} frequencies are converged to {:.0e} only, not to {TOLERANCE:.0e}", 0.5 * error),
+        });
     }
 }
 

@@ -29,6 +29,16 @@ report! {
         torsion: Option<usize>,
     }
 }
+impl FunctionCounts {
+    /// Sets the number of one degree of freedom.
+    pub fn set(&mut self, dof: Dof, count: usize) {
+        match dof {
+            Dof::Flap => self.flap = Some(count),
+            Dof::Lag => self.lag = Some(count),
+            Dof::Torsion => self.torsion = Some(count),
+        }
+    }
+}
 report! {
     /// The assumed functions behind a result.
     #[derive(Copy)]
@@ -58,8 +68,14 @@ report! {
         lower_rad_s: Option<f64>,
         /// Upper bound, where known.
         upper_rad_s: Option<f64>,
-        /// The paper's functions, as many as `--functions` says.
+        /// √ρ: the bounds of this degree of freedom hold if the mode after the last one listed is not
+        /// below it; `None` where there are none.
+        separation_rad_s: Option<f64>,
+        /// The paper's functions, as many as `--functions` says; `None` where that is fewer than the
+        /// mode's number.
         classical_rad_s: Option<f64>,
+        /// The piecewise functions.
+        converged_rad_s: Option<f64>,
         /// ‖Gq − ω²Mq‖ / ‖ω²Mq‖ in the scaled basis; 0 for a rigid mode.
         residual: f64,
     }
@@ -242,8 +258,16 @@ report! {
         /// Frequency with as many functions as `functions` says; `None` where there are fewer
         /// functions than the mode's number.
         classical_rad_s: Vec<Option<f64>>,
-        /// The converged frequency, where known.
+        /// The converged frequency.
         converged_rad_s: Option<f64>,
+        /// Its lower bound.
+        lower_rad_s: Option<f64>,
+        /// Its upper bound.
+        upper_rad_s: Option<f64>,
+        /// Numbers of piecewise functions: one polynomial per element, two, … until converged.
+        piecewise_functions: Vec<usize>,
+        /// Frequency with so many; `None` where they are too few for the mode.
+        piecewise_rad_s: Vec<Option<f64>>,
     }
 }
 report! {

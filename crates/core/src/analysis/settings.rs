@@ -12,6 +12,8 @@ use alloc::vec::Vec;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum BasisFamily {
+    /// Piecewise polynomials between the stations, as many as it takes: the converged answer.
+    Piecewise,
     /// Modes of the uniform, non-rotating blade: the paper's.
     Classical,
 }
@@ -20,6 +22,7 @@ impl BasisFamily {
     /// The name used in options and results.
     pub const fn name(self) -> &'static str {
         match self {
+            Self::Piecewise => "piecewise",
             Self::Classical => "classical",
         }
     }
@@ -100,7 +103,7 @@ impl Default for Settings {
             speeds: None,
             modes: 5,
             dofs: Dof::ALL.to_vec(),
-            basis: BasisFamily::Classical,
+            basis: BasisFamily::Piecewise,
             functions: 15,
             harmonics: 10,
             points: 101,
@@ -136,8 +139,8 @@ impl Settings {
             },
             "basis" => match text {
                 "classical" => self.basis = BasisFamily::Classical,
-                "piecewise" => return refuse("not yet available; use classical"),
-                _ => return refuse("must be classical"),
+                "piecewise" => self.basis = BasisFamily::Piecewise,
+                _ => return refuse("must be piecewise or classical"),
             },
             "normalise" => match text {
                 "max" => self.normalise = ShapeScale::Max,
@@ -168,7 +171,7 @@ impl Settings {
 
     /// Every option that is outside its range.
     pub fn check(&self) -> Vec<Fault> {
-        self.faults(true)
+        self.faults(self.basis == BasisFamily::Classical)
     }
 
     /// The same for a convergence study: the number of functions varies there, so

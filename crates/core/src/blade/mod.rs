@@ -12,4 +12,4 @@ pub use definition::{
     BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Source,
 };
 pub use model::{Blade, Root, RootCondition};
-pub use tension::{Tension, moments};
+pub use tension::{Tension, moments, tension_inside};

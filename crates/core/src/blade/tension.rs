@@ -43,12 +43,20 @@ fn pull(mass: &PiecewiseLinear, from: f64, to: f64) -> f64 {
     over_piece(mass, from, to, |r| r)
 }
 
+/// The same from the mass per length at both ends [kg/m]: what a stretch adds to the tension [kg·m].
+pub fn tension_inside(at_from: f64, at_to: f64, from: f64, to: f64) -> f64 {
+    simpson(at_from, at_to, from, to, |r| r)
+}
+
 /// ∫ f(r) p(r) dr over [from, to] within which p is linear; exact for p f up to cubic (Simpson).
 fn over_piece(property: &PiecewiseLinear, from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
     if to <= from {
         return 0.0;
     }
-    let (first, last) = (property.limits(from).1, property.limits(to).0);
+    simpson(property.limits(from).1, property.limits(to).0, from, to, f)
+}
+
+fn simpson(first: f64, last: f64, from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
     let middle = 0.5 * (from + to);
     (to - from) / 6.0 * (first * f(from) + 2.0 * (first + last) * f(middle) + last * f(to))
 }

@@ -1,13 +1,14 @@
-//! Convergence: frequency, and below it the error, over the number of assumed functions.
+//! Convergence: frequency over the converged one, and below it the error, over the number of assumed
+//! functions.
 
-use super::key::{Entry, Foot, Head, draw_background};
+use super::key::{Entry, Foot, Head, Sign, draw_background, draw_piecewise_point};
 use super::line::{Area, clip};
-use super::palette::{Style, dashes};
+use super::palette::{FAMILY_DASHES, Style};
 use super::panel::{self, EndLabel, Panel};
 use super::scale::Scale;
 use super::sheet::{Anchor, Face, Point, Sheet, dash_array};
 use super::{ChartOptions, Drawing, FrequencyUnit, text};
-use crate::analysis::{ConvergeReport, ConvergeSeries};
+use crate::analysis::{BasisFamily, ConvergeReport, ConvergeSeries};
 use crate::dof::Dof;
 use crate::numerics::scalar::{ceil, round};
 use alloc::format;
@@ -16,17 +17,28 @@ use alloc::vec::Vec;
 
 /// What the paper calls converged.
 const PAPER_FUNCTIONS: f64 = 15.0;
-/// Frequencies further apart than this ratio are drawn on a logarithmic axis.
-const WIDE: f64 = 12.0;
-/// Errors below are not told from rounding, nor from zero.
-const LEAST_ERROR: f64 = 1e-16;
+/// Smaller errors [%] are not told from rounding, nor from zero.
+const LEAST_ERROR: f64 = 1e-10;
+/// The frequency panel ends here: what is further off is read in the error panel.
+const MOST_RATIO: f64 = 2.0;
+/// Most functions that stand side by side on a linear axis.
+const MOST_LINEAR: f64 = 40.0;
+/// Name of the error axis.
+const ERROR: &str = "error against the converged frequency [%]";
 
-/// Points of one series.
+/// One mode with one family of functions: number of functions, and frequency over the converged one.
 #[derive(Clone, Debug)]
 struct Trace<'a> {
     series: &'a ConvergeSeries,
-    frequency: Vec<(f64, f64)>,
-    error: Vec<(f64, f64)>,
+    family: BasisFamily,
+    ratio: Vec<(f64, f64)>,
+}
+
+impl Trace<'_> {
+    fn error(&self) -> Vec<(f64, f64)> {
+        let percent = |ratio: f64| (100.0 * (ratio - 1.0).abs()).max(LEAST_ERROR);
+        self.ratio.iter().map(|&(count, ratio)| (count, percent(ratio))).collect()
+    }
 }
 
 /// Draws frequency and error over the number of assumed functions.
@@ -34,36 +46,36 @@ pub fn converge(report: &ConvergeReport, options: &ChartOptions) -> Drawing {
     let style = Style::of(options.theme, options.width);
     let name = text::clean(&report.blade);
     let unit = options.frequency_unit;
-    // Against the converged frequency only where every series has one: one axis, one meaning.
-    let known = report.series.iter().all(|series| series.converged_rad_s.is_some()) && !report.series.is_empty();
-    let traces: Vec<Trace> = report.series.iter().map(|series| trace(report, series, known, unit)).collect();
-    let most = report.functions.iter().copied().max().unwrap_or(1);
-    let error_name = if known { "relative error".to_string() } else { format!("change against N = {most}") };
+    // Classical lines above: they are what the reader looks for.
+    let traces: Vec<Trace> = [BasisFamily::Piecewise, BasisFamily::Classical]
+        .into_iter()
+        .flat_map(|family| report.series.iter().map(move |series| trace(report, series, family)))
+        .collect();
+    let list: Vec<(String, Dof)> = report.series.iter().map(|series| listed(series, unit)).collect();
 
-    let frequencies = frequency_scale(&traces, unit);
-    let errors = error_scale(&traces);
-    let room = panel::y_tick_room(&style, &frequencies, [0.25, 0.36]);
-    let room = room.max(panel::y_tick_room(&style, &errors, [0.2, 0.3]));
+    let (functions, ratios, errors) = (function_scale(report, &traces), ratio_scale(&traces), error_scale(&traces));
+    let room = panel::y_tick_room(&style, &ratios, [0.2, 0.3]);
+    let room = room.max(panel::y_tick_room(&style, &errors, [0.28, 0.38]));
     let left = 0.7 * style.margin() + panel::name_beside(&style) + room;
-    let longest = report.series.iter().map(|series| text::width(&text::clean(&series.label), style.tick(), true));
-    let right = style.width - 0.6 * style.margin() - panel::leader_length(&style) - longest.fold(0.0, f64::max);
+    let longest = list.iter().map(|(text, _)| text::width(text, style.tick(), true));
+    let longest = longest.fold(text::width(&list_head(unit), style.small(), false), f64::max);
+    let right = style.width - 0.6 * style.margin() - panel::leader_length(&style) - longest;
     let entries = Dof::ALL.into_iter().filter(|dof| report.series.iter().any(|series| series.dof == *dof));
-    let head = Head::new(&style, &name, entries.map(Entry::dof).collect(), left);
+    let entries = entries.map(|dof| Entry::new(Sign::Colour(dof), dof.name()));
+    let families = [BasisFamily::Classical, BasisFamily::Piecewise];
+    let families = families.map(|family| Entry::new(Sign::Family(family), format!("{} functions", family.name())));
+    let head = Head::new(&style, &name, entries.chain(families).collect(), left);
     let top = head.height(&style) + 2.0 * style.small();
     let width = right - left;
-    let upper = Area { left, top, right, bottom: top + 0.36 * width };
+    let upper = Area { left, top, right, bottom: top + 0.3 * width };
     let middle = upper.bottom + 1.5 * style.label();
-    let lower = Area { left, top: middle, right, bottom: middle + 0.3 * width };
-    let panels = [
-        Panel::new(&style, upper, function_scale(report), frequencies),
-        Panel::new(&style, lower, function_scale(report), errors),
-    ];
-    let panels = panels.map(whole_ticks);
+    let lower = Area { left, top: middle, right, bottom: middle + 0.38 * width };
+    let panels = [Panel::new(&style, upper, functions.clone(), ratios), Panel::new(&style, lower, functions, errors)];
+    let panels = panels.map(|panel| whole_ticks(&style, panel));
 
     let speed = text::significant(report.speed_rad_s / options.speed_unit.si(), 4);
     let speed = format!("at {speed} {}", options.speed_unit.name());
-    let notes = alloc::vec![speed.clone(), "classical functions".to_string()];
-    let foot = Foot::new(&style, notes, &remarks(&traces, &panels), left);
+    let foot = Foot::new(&style, alloc::vec![speed.clone()], &remarks(report, &traces), left);
     let below = lower.bottom + panel::ticks_below(&style) + panel::name_below(&style) + 0.5 * style.small();
     let mut sheet = Sheet::new(style.width, ceil(below + foot.height(&style)));
 
@@ -72,126 +84,176 @@ pub fn converge(report: &ConvergeReport, options: &ChartOptions) -> Drawing {
     panels[0].draw_grid(&mut sheet, &style);
     panels[1].draw_grid(&mut sheet, &style);
     draw_paper_mark(&mut sheet, &style, &panels);
-    draw_traces(&mut sheet, &style, &panels[0], &traces, |trace| &trace.frequency, false);
-    draw_traces(&mut sheet, &style, &panels[1], &traces, |trace| &trace.error, true);
-    panels[0].draw_axes(&mut sheet, &style, "", &format!("frequency [{}]", unit.name()));
-    panels[1].draw_axes(&mut sheet, &style, "number of functions N", &error_name);
+    draw_level(&mut sheet, &style, &panels[0]);
+    for trace in &traces {
+        draw_trace(&mut sheet, &style, &panels[0], trace, &trace.ratio);
+    }
+    for trace in &traces {
+        draw_trace(&mut sheet, &style, &panels[1], trace, &trace.error());
+    }
+    draw_error_labels(&mut sheet, &style, &panels[1], &traces);
+    draw_list(&mut sheet, &style, &upper, &list, unit);
+    panels[0].draw_axes(&mut sheet, &style, "", "frequency / converged");
+    panels[1].draw_axes(&mut sheet, &style, "number of functions N", "error [%]");
     foot.draw(&mut sheet, &style, left, below);
 
     let (width, height) = (sheet.width, sheet.height);
     let about = format!(
-        "Frequencies of {} modes over 1 to {most} assumed functions, and their {error_name}, {speed}.",
-        traces.len()
+        "Frequencies of {} modes over the number of assumed functions, as shares of the converged \
+         frequency, and their {ERROR}, {speed}.",
+        report.series.len()
     );
     let svg = sheet.finish(&format!("{name}: convergence"), &about);
     Drawing { svg, width, height, plots: alloc::vec![panels[0].describe("frequency"), panels[1].describe("error")] }
 }
 
-fn trace<'a>(report: &ConvergeReport, series: &'a ConvergeSeries, known: bool, unit: FrequencyUnit) -> Trace<'a> {
-    let points: Vec<(f64, f64)> = report
-        .functions
+fn trace<'a>(report: &ConvergeReport, series: &'a ConvergeSeries, family: BasisFamily) -> Trace<'a> {
+    let (functions, values) = match family {
+        BasisFamily::Classical => (&report.functions, &series.classical_rad_s),
+        BasisFamily::Piecewise => (&series.piecewise_functions, &series.piecewise_rad_s),
+    };
+    let converged = series.converged_rad_s.filter(|converged| *converged > 0.0);
+    let ratio = functions
         .iter()
-        .zip(&series.classical_rad_s)
-        .filter_map(|(&count, &frequency)| Some((count as f64, frequency.filter(|value| value.is_finite())?)))
-        .collect();
-    let reference = if known { series.converged_rad_s } else { points.last().map(|point| point.1) };
-    let last = points.last().map_or(0.0, |point| point.0);
-    let error = points
-        .iter()
-        // The last is the reference itself.
-        .filter(|point| known || point.0 < last)
-        .filter_map(|&(count, frequency)| {
-            let reference = reference.filter(|reference| *reference > 0.0)?;
-            Some((count, (frequency / reference - 1.0).abs()))
-        })
+        .zip(values)
+        .filter_map(|(&count, &value)| Some((count as f64, value? / converged?)))
         .filter(|point| point.1.is_finite())
         .collect();
-    let frequency = points.into_iter().map(|(count, frequency)| (count, unit.of(frequency))).collect();
-    Trace { series, frequency, error }
+    Trace { series, family, ratio }
 }
 
-fn function_scale(report: &ConvergeReport) -> Scale {
+/// Logarithmic where there are many, or where one family needs more than the other was given.
+fn function_scale(report: &ConvergeReport, traces: &[Trace]) -> Scale {
     let first = report.functions.iter().copied().min().unwrap_or(1) as f64;
-    let last = report.functions.iter().copied().max().unwrap_or(1) as f64;
-    Scale::linear(first - 0.3, f64::max(last, first + 1.0) + 0.3, "")
+    let classical = report.functions.iter().copied().max().unwrap_or(1) as f64;
+    let last = traces.iter().flat_map(|trace| &trace.ratio).map(|point| point.0).fold(classical, f64::max);
+    if last > classical.min(MOST_LINEAR) {
+        Scale::log(0.92 * first, 1.08 * last, "")
+    } else {
+        Scale::linear(first - 0.3, f64::max(last, first + 1.0) + 0.3, "")
+    }
 }
 
-fn frequency_scale(traces: &[Trace], unit: FrequencyUnit) -> Scale {
-    let values = traces.iter().flat_map(|trace| &trace.frequency).map(|point| point.1);
-    let largest = values.clone().fold(0.0, f64::max);
-    let least = values.filter(|value| *value > 0.0).reduce(f64::min).unwrap_or(largest);
-    if largest > WIDE * least && least > 0.0 {
-        Scale::log(least / 1.4, largest * 1.4, unit.name())
-    } else {
-        Scale::linear(0.0, if largest > 0.0 { 1.08 * largest } else { 1.0 }, unit.name())
-    }
+fn ratio_scale(traces: &[Trace]) -> Scale {
+    let values = || traces.iter().flat_map(|trace| &trace.ratio).map(|point| point.1);
+    let largest = values().fold(1.0, f64::max).min(MOST_RATIO);
+    let least = values().fold(1.0, f64::min).max(0.0);
+    let span = (largest - least).max(1e-3);
+    Scale::linear(least - 0.06 * span, largest.max(least + span) + 0.06 * span, "")
 }
 
 /// A little more than all errors, and a decade at least.
 fn error_scale(traces: &[Trace]) -> Scale {
-    let values = traces.iter().flat_map(|trace| &trace.error).map(|point| point.1).filter(|value| *value > 0.0);
-    let least = values.clone().reduce(f64::min).unwrap_or(1e-6).max(LEAST_ERROR);
-    let largest = values.reduce(f64::max).unwrap_or(1.0).max(8.0 * least);
-    Scale::log(least / 1.6, largest * 1.6, "")
+    let values = || traces.iter().flat_map(Trace::error).map(|point| point.1);
+    let least = values().reduce(f64::min).unwrap_or(1e-4);
+    let largest = values().reduce(f64::max).unwrap_or(100.0).max(8.0 * least);
+    Scale::log(least / 1.6, largest * 1.6, "%")
 }
 
 /// Without ticks between whole numbers of functions.
-fn whole_ticks(mut panel: Panel) -> Panel {
+fn whole_ticks(style: &Style, mut panel: Panel) -> Panel {
+    if panel.x.axis.log {
+        // Small numbers: their texts may stand close.
+        panel.x_ticks = panel.x.ticks((panel.area.right - panel.area.left) / (40.0 * style.unit));
+    }
     panel.x_ticks.retain(|tick| (tick.value - round(tick.value)).abs() < 1e-9);
     for tick in &mut panel.x_ticks {
         tick.text = format!("{:.0}", tick.value);
+        tick.exponent = None;
     }
     panel
 }
 
-/// Draws one value of all series; what a logarithmic axis cannot show is left out or, as an error
-/// of zero is smaller than any other, stands at its foot.
-fn draw_traces<'t, 'a: 't>(
-    sheet: &mut Sheet,
-    style: &Style,
-    panel: &Panel,
-    traces: &'t [Trace<'a>],
-    of: impl Fn(&'t Trace<'a>) -> &'t Vec<(f64, f64)>,
-    zero_at_foot: bool,
-) {
-    let mut ends: Vec<EndLabel> = Vec::new();
-    for trace in traces {
-        let series = trace.series;
-        let colour = style.palette.dof(series.dof);
-        let bottom = panel.area.bottom;
-        let points: Vec<Point> = of(trace)
-            .iter()
-            .filter_map(|&(count, value)| {
-                let foot = panel.x.at(count).filter(|_| zero_at_foot).map(|x| (x, bottom));
-                panel.point(count, value).or(foot)
-            })
-            .map(|(x, y)| (x, y.min(bottom)))
-            .collect();
-        let (class, label) = (format!("series {}", series.dof), text::clean(&series.label));
-        let dash = dash_array(dashes(series.dof), style.unit);
-        let attributes = [("class", class.as_str()), ("data-label", &label), ("stroke-dasharray", &dash)];
-        sheet.layer(&attributes, |pen| {
-            for part in clip(&points, &panel.area) {
-                pen.line(&part, colour, 1.5 * style.unit);
-            }
-            for &point in points.iter().filter(|point| panel.area.holds_point(**point)) {
+fn draw_trace(sheet: &mut Sheet, style: &Style, panel: &Panel, trace: &Trace, values: &[(f64, f64)]) {
+    let colour = style.palette.dof(trace.series.dof);
+    let points: Vec<Point> = values.iter().filter_map(|&(count, value)| panel.point(count, value)).collect();
+    let (class, label) = (format!("series {}", trace.series.dof), text::clean(&trace.series.label));
+    let piecewise = trace.family == BasisFamily::Piecewise;
+    let dash = if piecewise { dash_array(&FAMILY_DASHES, style.unit) } else { String::new() };
+    let attributes = [("class", class.as_str()), ("data-label", &label), ("data-family", trace.family.name())];
+    let line = [&attributes[..], &[("stroke-dasharray", dash.as_str())]].concat();
+    sheet.layer(&line, |pen| {
+        for part in clip(&points, &panel.area) {
+            pen.line(&part, colour, if piecewise { 1.1 } else { 1.5 } * style.unit);
+        }
+    });
+    sheet.layer(&attributes, |pen| {
+        for &point in points.iter().filter(|point| panel.area.holds_point(**point)) {
+            if piecewise {
+                draw_piecewise_point(pen, style, point, colour);
+            } else {
                 pen.disc(point, 1.9 * style.unit, colour);
             }
-        });
-        if let Some(&(from, target)) = points.last() {
-            ends.push(EndLabel {
-                text: label,
-                from,
-                target,
-                colour,
-                bold: true,
-                rank: if series.number == 1 { 90 } else { 60 },
-                limit: f64::INFINITY,
-                class: "series-label",
-            });
         }
+    });
+}
+
+/// A thin line at the converged frequency.
+fn draw_level(sheet: &mut Sheet, style: &Style, panel: &Panel) {
+    let Some(y) = panel.y.at(1.0) else { return };
+    sheet.layer(&[("class", "converged")], |pen| {
+        pen.line(&[(panel.area.left, y), (panel.area.right, y)], style.palette.frame, 0.8);
+    });
+}
+
+/// Every mode's label at the height of its last classical error.
+fn draw_error_labels(sheet: &mut Sheet, style: &Style, panel: &Panel, traces: &[Trace]) {
+    let mut ends: Vec<EndLabel> = Vec::new();
+    for trace in traces.iter().filter(|trace| trace.family == BasisFamily::Classical) {
+        let Some((from, target)) = trace.error().last().and_then(|&(count, error)| panel.point(count, error)) else {
+            continue;
+        };
+        let colour = style.palette.dof(trace.series.dof);
+        let target = target.min(panel.area.bottom);
+        // Where piecewise functions go on to the right, a pale line leads from the curve to its label.
+        sheet.layer(&[("class", "leader")], |pen| {
+            pen.line(&[(from, target), (panel.area.right, target)], style.palette.tone(colour, 0.35), 0.7 * style.unit);
+        });
+        ends.push(EndLabel {
+            text: text::clean(&trace.series.label),
+            from: panel.area.right,
+            target,
+            colour,
+            bold: true,
+            rank: if trace.series.number == 1 { 90 } else { 60 },
+            limit: f64::INFINITY,
+            class: "series-label",
+        });
     }
     panel::draw_end_labels(sheet, style, &panel.area, &ends);
+}
+
+fn list_head(unit: FrequencyUnit) -> String {
+    format!("converged [{}]", unit.name())
+}
+
+/// `2F 185.9`: the mode and its converged frequency.
+fn listed(series: &ConvergeSeries, unit: FrequencyUnit) -> (String, Dof) {
+    let label = text::clean(&series.label);
+    let text = match series.converged_rad_s.filter(|value| value.is_finite()) {
+        Some(value) => format!("{label} {}", text::significant(unit.of(value), 4)),
+        None => label,
+    };
+    (text, series.dof)
+}
+
+/// The converged frequencies beside the panel that shows shares of them; as many as there is room for.
+fn draw_list(sheet: &mut Sheet, style: &Style, area: &Area, list: &[(String, Dof)], unit: FrequencyUnit) {
+    if list.is_empty() {
+        return;
+    }
+    let x = area.right + 0.5 * panel::leader_length(style);
+    let line = 1.15 * style.tick();
+    let first = area.top + 0.5 * style.small();
+    let rows = ((area.bottom + style.small() - first) / line).max(1.0) as usize;
+    let head = Face::new(style.small(), style.palette.muted, Anchor::Start);
+    sheet.layer(&[("class", "converged")], |pen| {
+        pen.text((x, first + head.drop()), &list_head(unit), &head);
+        for (row, (label, dof)) in list.iter().enumerate().take(rows.saturating_sub(1)) {
+            let face = Face::new(style.tick(), style.palette.dof(*dof), Anchor::Start);
+            pen.text((x, first + (row as f64 + 1.0) * line + face.drop()), label, &face);
+        }
+    });
 }
 
 /// A line through both panels at the paper's number of functions.
@@ -216,10 +278,16 @@ fn draw_paper_mark(sheet: &mut Sheet, style: &Style, panels: &[Panel; 2]) {
     sheet.layer(&[("class", "paper")], |pen| pen.text((middle, baseline), name, &face));
 }
 
-/// Modes that a logarithmic axis cannot show.
-fn remarks(traces: &[Trace], panels: &[Panel; 2]) -> Vec<String> {
-    let zero = |trace: &&Trace| panels[0].y.axis.log && trace.frequency.iter().all(|point| point.1 <= 0.0);
-    let zero = traces.iter().filter(zero).filter(|trace| !trace.frequency.is_empty());
-    let labels: Vec<String> = zero.map(|trace| text::clean(&trace.series.label)).collect();
-    if labels.is_empty() { Vec::new() } else { alloc::vec![format!("{}: frequency 0", labels.join(", "))] }
+/// What the drawing cannot show.
+fn remarks(report: &ConvergeReport, traces: &[Trace]) -> Vec<String> {
+    let labels = |without: fn(&ConvergeSeries) -> bool| {
+        let labels = report.series.iter().filter(|series| without(series)).map(|series| text::clean(&series.label));
+        Some(labels.collect::<Vec<String>>().join(", ")).filter(|labels| !labels.is_empty())
+    };
+    let zero = labels(|series| series.converged_rad_s == Some(0.0)).map(|labels| format!("{labels}: frequency 0"));
+    let unknown = labels(|series| series.converged_rad_s.is_none());
+    let unknown = unknown.map(|labels| format!("{labels}: no converged frequency"));
+    let clipped = traces.iter().flat_map(Trace::error).any(|(_, error)| error <= LEAST_ERROR);
+    let clipped = clipped.then(|| "errors below 1e-10 % are shown as 1e-10 %".to_string());
+    [zero, unknown, clipped].into_iter().flatten().collect()
 }

@@ -1,10 +1,10 @@
 //! What stands around a frame: the title, the key of signs under it, the grey notes below.
 
-use super::palette::{Style, dashes};
+use super::palette::{FAMILY_DASHES, Style, dashes};
 use super::sheet::{Anchor, Face, Pen, Point, Sheet, dash_array};
 use super::text;
 use crate::VERSION;
-use crate::analysis::{BasisReport, MODEL};
+use crate::analysis::{BasisFamily, BasisReport, MODEL};
 use crate::dof::Dof;
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -58,6 +58,9 @@ impl Marker {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Sign {
     Branch(Dof),
+    /// A degree of freedom where dashes tell something else.
+    Colour(Dof),
+    Family(BasisFamily),
     BladeRay,
     Crossing,
     Band,
@@ -84,9 +87,9 @@ impl Entry {
     fn sign_width(&self, style: &Style) -> f64 {
         style.unit
             * match self.sign {
-                Sign::Branch(_) => 34.0,
+                Sign::Branch(_) | Sign::Family(_) => 34.0,
                 Sign::BladeRay => 22.0,
-                Sign::Band => 14.0,
+                Sign::Band | Sign::Colour(_) => 14.0,
                 Sign::Crossing | Sign::Measured(_) => 11.0,
             }
     }
@@ -94,6 +97,12 @@ impl Entry {
     fn width(&self, style: &Style) -> f64 {
         self.sign_width(style) + 6.0 * style.unit + text::width(&self.text, style.tick(), false)
     }
+}
+
+/// A point of piecewise functions: a diamond, as classical ones are discs.
+pub(super) fn draw_piecewise_point(pen: &Pen, style: &Style, (x, y): Point, colour: RGBColor) {
+    let radius = 3.2 * style.unit;
+    pen.area(&[(x, y - radius), (x + radius, y), (x, y + radius), (x - radius, y)], colour);
 }
 
 /// Title and key, laid out.
@@ -157,11 +166,20 @@ fn draw_entry(sheet: &mut Sheet, style: &Style, (x, y): Point, entry: &Entry) {
     let length = entry.sign_width(style);
     let dash = match entry.sign {
         Sign::Branch(dof) => dash_array(dashes(dof), style.unit),
+        Sign::Family(BasisFamily::Piecewise) => dash_array(&FAMILY_DASHES, style.unit),
         _ => String::new(),
     };
     let middle = (x + 0.5 * length, y);
     sheet.layer(&[("class", "key"), ("stroke-dasharray", &dash)], |pen| match entry.sign {
         Sign::Branch(dof) => pen.line(&[(x, y), (x + length, y)], palette.dof(dof), 2.0 * style.unit),
+        Sign::Colour(dof) => pen.line(&[(x, y), (x + length, y)], palette.dof(dof), 4.0 * style.unit),
+        Sign::Family(family) => {
+            pen.line(&[(x, y), (x + length, y)], palette.nominal, 1.3 * style.unit);
+            match family {
+                BasisFamily::Classical => pen.disc(middle, 2.2 * style.unit, palette.nominal),
+                BasisFamily::Piecewise => draw_piecewise_point(pen, style, middle, palette.nominal),
+            }
+        }
         Sign::BladeRay => pen.line(&[(x, y), (x + length, y)], palette.blade_ray, 1.2 * style.unit),
         Sign::Crossing => pen.circle(middle, 4.2 * style.unit, palette.text, 1.3 * style.unit),
         Sign::Band => {

@@ -73,6 +73,10 @@ pub(super) const fn dashes(dof: Dof) -> &'static [f64] {
     }
 }
 
+/// Dashes of piecewise functions where the colour alone tells the degree of freedom; classical ones
+/// are solid.
+pub(super) const FAMILY_DASHES: [f64; 2] = [4.0, 3.0];
+
 /// Palette, and sizes that grow slower than the drawing's width.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Style {

@@ -119,7 +119,19 @@ fn converge_report(known: bool) -> ConvergeReport {
             let value = |count: usize| (count >= number).then(|| turning * (1.0 + excess(count)));
             let classical_rad_s = (1..=16).map(value).collect();
             let converged_rad_s = known.then_some(turning);
-            ConvergeSeries { label: label(dof, number), dof, number, classical_rad_s, converged_rad_s }
+            let piecewise_functions = vec![17, 33, 50, 66, 83, 99];
+            let values = (1..=6).map(|order: i32| Some(turning * (1.0 + 0.1 / 100_f64.powi(order))));
+            ConvergeSeries {
+                label: label(dof, number),
+                dof,
+                number,
+                classical_rad_s,
+                converged_rad_s,
+                lower_rad_s: converged_rad_s,
+                upper_rad_s: converged_rad_s,
+                piecewise_functions,
+                piecewise_rad_s: values.collect(),
+            }
         })
         .collect();
     ConvergeReport {
@@ -352,11 +364,14 @@ fn every_shape_is_labelled_and_its_nodes_counted() {
 }
 
 #[test]
-fn the_error_axis_says_what_it_is_against() {
+fn both_families_stand_on_one_axis() {
     let known = converge(&converge_report(true), &ChartOptions::default());
-    let unknown = converge(&converge_report(false), &ChartOptions::default());
-    assert!(known.svg.contains("relative error"), "converged frequencies are known");
-    assert!(unknown.svg.contains("change against N = 16"), "converged frequencies are not known");
-    assert!(known.plots[1].y.log && known.plots[1].y.to > 1e-3, "{:?}", known.plots[1].y);
+    assert!(known.svg.contains("error against the converged frequency [%]"), "what the error is against");
     assert!(known.svg.contains("N = 15, as in the paper"), "the paper's number of functions is marked");
+    let [frequency, error] = known.plots.as_slice() else { panic!("two panels") };
+    assert!(frequency.x.log && frequency.x.to > 99.0, "as many functions as the piecewise family took");
+    assert!(error.y.log && error.y.from < 1e-9 && error.y.to > 1.0, "{:?}", error.y);
+    assert_eq!(groups(&known, "series-label").len(), BRANCHES.len());
+    let unknown = converge(&converge_report(false), &ChartOptions::default());
+    assert!(unknown.svg.contains("no converged frequency"), "nothing to compare with is said");
 }

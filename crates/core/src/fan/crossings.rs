@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 /// A branch on a ray within this relative distance at every speed lies on it.
 const COINCIDENCE: f64 = 1e-9;
 /// Each stretch between two nodes of the curves is searched in so many steps.
-const STEPS: usize = 4;
+const STEPS: usize = 2;
 
 /// A branch meets a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]

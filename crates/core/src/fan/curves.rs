@@ -5,22 +5,23 @@
 //! any number of speeds. Whether they suffice is checked against the eigenproblem between them.
 
 use crate::lagrange::SystemMatrices;
-use crate::modes::{SolveError, solve};
+use crate::modes::{SolveError, eigenvalues, solve};
 use crate::numerics::chebyshev::{interpolate, node, slopes};
 use alloc::vec;
 use alloc::vec::Vec;
 
 /// Relative error of λ accepted between the nodes; ω has half of it.
-const TOLERANCE: f64 = 1e-11;
+const TOLERANCE: f64 = 1e-10;
 /// When the interpolant of half the degree is this good at the new nodes, the full one, whose error
 /// is about its square, is worth checking.
 const COARSE_TOLERANCE: f64 = 1e-6;
-/// Degree tried first.
-const FIRST_DEGREE: usize = 8;
+/// Degree tried first. Its own error is measured at the new nodes of twice the degree, which stand
+/// between its own.
+const FIRST_DEGREE: usize = 4;
 /// Degree after which the range is halved instead.
 const LAST_DEGREE: usize = 32;
 /// Where the error is checked, as shares of the piece: between the nodes of every degree.
-const CHECKS: [f64; 3] = [0.013, 0.47, 0.93];
+const CHECKS: [f64; 2] = [0.013, 0.47];
 /// Most pieces; the last ones are taken as they are.
 const MOST_PIECES: usize = 64;
 
@@ -68,7 +69,8 @@ impl Curves {
             piece.rows = piece.nodes.iter().map(|&s| row(s)).collect::<Result<_, _>>()?;
             loop {
                 let coarse_error = piece.refine(from, to, row)?;
-                let enough = coarse_error < COARSE_TOLERANCE && piece.error(from, to, row)? < TOLERANCE;
+                let enough = coarse_error < TOLERANCE
+                    || (coarse_error < COARSE_TOLERANCE && piece.error(from, to, row)? < TOLERANCE);
                 let middle = 0.5 * (from + to);
                 let last = pieces.len() + waiting.len() >= MOST_PIECES || middle <= from || middle >= to;
                 if enough || (last && piece.nodes.len() > LAST_DEGREE) {
@@ -182,11 +184,18 @@ impl Piece {
 /// What is interpolated: every λ at Ω² = `s`, the rigid branch's divided by Ω². At rest that ratio
 /// is dλ/dΩ², the Southwell coefficient.
 fn row(matrices: &SystemMatrices, s: f64, count: usize, rigid: bool) -> Result<Vec<f64>, SolveError> {
-    let modes = solve(matrices, s, count)?;
-    let value = |(index, mode): (usize, &crate::modes::Mode)| match index {
-        0 if rigid && mode.eigenvalue > 0.0 => mode.eigenvalue / s,
-        0 if rigid => mode.southwell.max(0.0),
-        _ => mode.eigenvalue,
-    };
-    Ok(modes.iter().enumerate().map(value).collect())
+    if rigid && s <= 0.0 {
+        let modes = solve(matrices, s, count)?;
+        return Ok(modes
+            .iter()
+            .enumerate()
+            .map(|(index, mode)| if index == 0 { mode.southwell.max(0.0) } else { mode.eigenvalue })
+            .collect());
+    }
+    let mut values = eigenvalues(matrices, s, count)?;
+    if let Some(first) = values.first_mut().filter(|_| rigid) {
+        // 0 at every speed where nothing pulls, else dλ/dΩ² at small ones.
+        *first /= s;
+    }
+    Ok(values)
 }

@@ -92,6 +92,12 @@ impl AssumedFunctions for ClassicalBending {
             *sample = function.at(x);
         }
     }
+
+    fn sample_about(&self, middle: f64, offsets: &[f64], out: &mut [Sample]) {
+        for (function, samples) in self.functions.iter().zip(out.chunks_exact_mut(offsets.len())) {
+            function.about(middle, offsets, samples);
+        }
+    }
 }
 
 /// Below this z = βl the series take over from the exponentials; only the first function of a
@@ -112,12 +118,7 @@ impl Function {
             Self::Wave { beta, z, a, b, p, q } => {
                 let u = beta * x;
                 let (sin, cos) = sin_cos(u);
-                let (grown, decayed) = (p * exp(u - z), q * exp(-u));
-                Sample {
-                    value: a * sin + b * cos + (grown + decayed),
-                    slope: beta * (a * cos - b * sin + (grown - decayed)),
-                    curvature: beta * beta * ((grown + decayed) - (a * sin + b * cos)),
-                }
+                composed(beta, a * sin + b * cos, a * cos - b * sin, p * exp(u - z), q * exp(-u))
             }
             Self::Series { beta, s2, s3, s4 } => {
                 let [k1, k2, k3, k4] = krylov(beta * x);
@@ -127,6 +128,30 @@ impl Function {
                     curvature: beta * beta * (s2 * k4 + s3 * k1 + s4 * k2),
                 }
             }
+        }
+    }
+
+    /// At `middle` + each of `offsets`, which are symmetric. About the middle the wave is
+    /// c cos d + s sin d, so that a pair of points needs one sine, cosine and exponential.
+    fn about(&self, middle: f64, offsets: &[f64], out: &mut [Sample]) {
+        let Self::Wave { beta, z, a, b, p, q } = *self else {
+            for (offset, sample) in offsets.iter().zip(out) {
+                *sample = self.at(middle + offset);
+            }
+            return;
+        };
+        let u = beta * middle;
+        let (sin, cos) = sin_cos(u);
+        let (c, s) = (a * sin + b * cos, a * cos - b * sin);
+        let (grown, decayed) = (p * exp(u - z), q * exp(-u));
+        let last = offsets.len() - 1;
+        for k in 0..=last / 2 {
+            let d = beta * offsets[last - k];
+            let (sin, cos) = sin_cos(d);
+            let up = exp(d);
+            let down = 1.0 / up;
+            out[k] = composed(beta, c * cos - s * sin, s * cos + c * sin, grown * down, decayed * up);
+            out[last - k] = composed(beta, c * cos + s * sin, s * cos - c * sin, grown * up, decayed * down);
         }
     }
 
@@ -148,6 +173,15 @@ impl Function {
             Self::Wave { beta, z, a, b, p, q } => Self::Wave { beta, z, a: f * a, b: f * b, p: f * p, q: f * q },
             Self::Series { beta, s2, s3, s4 } => Self::Series { beta, s2: f * s2, s3: f * s3, s4: f * s4 },
         }
+    }
+}
+
+/// A sample from the wave, its derivative by βx, and the two exponentials.
+fn composed(beta: f64, wave: f64, derivative: f64, grown: f64, decayed: f64) -> Sample {
+    Sample {
+        value: wave + (grown + decayed),
+        slope: beta * (derivative + (grown - decayed)),
+        curvature: beta * beta * ((grown + decayed) - wave),
     }
 }
 

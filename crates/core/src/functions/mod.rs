@@ -1,10 +1,14 @@
 //! Assumed deformation functions: what a mode shape is a sum of.
 
 mod bending;
+mod piecewise;
 mod torsion;
 
 pub use bending::{BendingRoot, ClassicalBending};
+pub use piecewise::{Deformation, MOST_ORDER, Mesh, PiecewiseFunctions};
 pub use torsion::{ClassicalTorsion, TorsionRoot};
+
+use alloc::vec;
 
 /// An assumed function at one point, with its analytic derivatives.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -30,8 +34,31 @@ pub trait AssumedFunctions {
     /// a distance h.
     fn wave_number(&self) -> f64;
 
+    /// Where, x from the root, a derivative may jump; none for smooth functions.
+    fn joints(&self) -> &[f64] {
+        &[]
+    }
+
+    /// Degree of functions that are polynomials between the joints; 0 for waves.
+    fn degree(&self) -> usize {
+        0
+    }
+
     /// All functions at `x` [m]; `out` holds [`count`](Self::count) samples.
     fn sample(&self, x: f64, out: &mut [Sample]);
+
+    /// All functions at `middle` + each of `offsets` [m], which are symmetric: the first is minus the
+    /// last, and so on. `out` holds the samples function by function. Functions of waves share a
+    /// sine and an exponential between the two points of a pair.
+    fn sample_about(&self, middle: f64, offsets: &[f64], out: &mut [Sample]) {
+        let mut samples = vec![Sample::default(); self.count()];
+        for (k, offset) in offsets.iter().enumerate() {
+            self.sample(middle + offset, &mut samples);
+            for (i, sample) in samples.iter().enumerate() {
+                out[i * offsets.len() + k] = *sample;
+            }
+        }
+    }
 }
 
 #[cfg(test)]

@@ -1,9 +1,14 @@
 //! Classical functions against their end conditions, closed forms and each other.
 
-use super::{AssumedFunctions, BendingRoot, ClassicalBending, ClassicalTorsion, Sample, TorsionRoot};
-use crate::numerics::quadrature::GaussRules;
+use super::{
+    AssumedFunctions, BendingRoot, ClassicalBending, ClassicalTorsion, Deformation, Mesh, PiecewiseFunctions, Sample,
+    TorsionRoot,
+};
+use crate::numerics::quadrature::{GaussRules, each_point};
+use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
+use nalgebra::DMatrix;
 
 const BENDING: [BendingRoot; 7] = [
     BendingRoot::Clamped,
@@ -56,7 +61,7 @@ fn bending_functions_are_orthonormal() {
         let mut gram = vec![0.0; 40 * 40];
         for panel in 0..64 {
             let (a, b) = (length * f64::from(panel) / 64.0, length * f64::from(panel + 1) / 64.0);
-            rules.each_point(a, b, phase, |x, weight| {
+            each_point(rules.for_phase(phase), a, b, |x, weight| {
                 let at = sample(&functions, x);
                 for i in 0..40 {
                     for j in 0..40 {
@@ -147,10 +152,86 @@ fn torsion_functions_meet_their_end_conditions_and_norm() {
         let few = ClassicalTorsion::new(root, 3, length);
         for panel in 0..8 {
             let (a, b) = (0.25 * f64::from(panel), 0.25 * f64::from(panel + 1));
-            rules.each_point(a, b, few.wave_number() * 0.25, |x, weight| {
+            each_point(rules.for_phase(few.wave_number() * 0.25), a, b, |x, weight| {
                 square += weight * sample(&few, x)[2].value * sample(&few, x)[2].value;
             });
         }
         assert!((square - 0.5 * length).abs() < 1e-13, "{root:?}: {square}");
+    }
+}
+
+/// Sampling pairs of points about a middle is a faster way to the same numbers.
+#[test]
+fn samples_about_a_middle_are_those_at_the_points() {
+    let families: [Box<dyn AssumedFunctions>; 5] = [
+        Box::new(ClassicalBending::new(BendingRoot::Clamped, 40, 2.0, 3.0)),
+        Box::new(ClassicalBending::new(BendingRoot::Free, 40, 2.0, 3.0)),
+        Box::new(ClassicalBending::new(BendingRoot::Spring(0.3), 40, 2.0, 3.0)),
+        Box::new(ClassicalTorsion::new(TorsionRoot::Spring(2.0), 40, 2.0)),
+        Box::new(two_elements(Deformation::Bending)),
+    ];
+    let offsets = [-0.02, -0.007, 0.0, 0.007, 0.02];
+    for functions in &families {
+        let n = functions.count();
+        let mut about = vec![Sample::default(); n * offsets.len()];
+        let mut at = vec![Sample::default(); n];
+        for middle in [0.02, 0.7, 1.3, 1.98] {
+            functions.sample_about(middle, &offsets, &mut about);
+            for (k, offset) in offsets.iter().enumerate() {
+                functions.sample(middle + offset, &mut at);
+                for (i, expected) in at.iter().enumerate() {
+                    let found = about[i * offsets.len() + k];
+                    // The highest wave advances by 120 rad over the blade: some 1e-14 of rounding.
+                    for (found, expected) in [
+                        (found.value, expected.value),
+                        (found.slope, expected.slope),
+                        (found.curvature, expected.curvature),
+                    ] {
+                        let size = 1.0 + functions.wave_number() * functions.wave_number();
+                        assert!(
+                            (found - expected).abs() < 1e-13 * size,
+                            "{i} at {middle} + {offset}: {found} {expected}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Three functions on elements [0, 0.7] and [0.7, 2] of three and two polynomials.
+fn two_elements(deformation: Deformation) -> PiecewiseFunctions {
+    let mesh = Mesh::new(vec![0.0, 0.7, 2.0], vec![3, 2]);
+    let coefficients = DMatrix::from_row_slice(5, 2, &[1.0, 0.3, -0.5, 2.0, 0.25, -1.0, 0.0, 0.7, 0.4, -0.6]);
+    PiecewiseFunctions::new(mesh, deformation, true, coefficients)
+}
+
+/// Slope and strain are derivatives, by differences; value and slope go on over the joint.
+#[test]
+fn piecewise_functions_are_integrals_of_their_strain() {
+    for deformation in [Deformation::Bending, Deformation::Torsion] {
+        let functions = two_elements(deformation);
+        assert_eq!(functions.count(), 3);
+        let at = |x: f64| {
+            let mut out = vec![Sample::default(); 3];
+            functions.sample(x, &mut out);
+            out
+        };
+        let h = 1e-5;
+        for x in [0.1, 0.35, 0.69, 0.71, 1.0, 1.9] {
+            for ((here, low), high) in at(x).iter().zip(at(x - h)).zip(at(x + h)) {
+                assert!((here.slope - (high.value - low.value) / (2.0 * h)).abs() < 1e-9, "{x}");
+                if deformation == Deformation::Bending {
+                    assert!((here.curvature - (high.slope - low.slope) / (2.0 * h)).abs() < 1e-9, "{x}");
+                }
+            }
+        }
+        for (inner, outer) in at(0.7 - 1e-12).iter().zip(at(0.7 + 1e-12)) {
+            assert!((inner.value - outer.value).abs() < 1e-11);
+            assert!(deformation == Deformation::Torsion || (inner.slope - outer.slope).abs() < 1e-11);
+        }
+        let root = at(0.0);
+        assert!(root[1].value == 0.0 && root[2].value == 0.0);
+        assert!(deformation == Deformation::Torsion || root[1].slope == 0.0);
     }
 }

@@ -75,6 +75,24 @@ impl AssumedFunctions for ClassicalTorsion {
             *sample = Sample { value, slope: gamma * (b * cos - a * sin), curvature: -gamma * gamma * value };
         }
     }
+
+    fn sample_about(&self, middle: f64, offsets: &[f64], out: &mut [Sample]) {
+        for (&Function { gamma, a, b }, samples) in self.functions.iter().zip(out.chunks_exact_mut(offsets.len())) {
+            let (sin, cos) = sin_cos(gamma * middle);
+            let (c, s) = (a * cos + b * sin, b * cos - a * sin);
+            let wave = |value: f64, derivative: f64| Sample {
+                value,
+                slope: gamma * derivative,
+                curvature: -gamma * gamma * value,
+            };
+            let last = offsets.len() - 1;
+            for k in 0..=last / 2 {
+                let (sin, cos) = sin_cos(gamma * offsets[last - k]);
+                samples[k] = wave(c * cos - s * sin, s * cos + c * sin);
+                samples[last - k] = wave(c * cos + s * sin, s * cos - c * sin);
+            }
+        }
+    }
 }
 
 /// Scaled to ∫θ² dx = l/2 and θ(l) > 0; z = γl.

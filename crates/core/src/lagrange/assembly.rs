@@ -1,12 +1,12 @@
 //! Mass, elastic, spring and centrifugal matrices (paper Eq. 42–47, 75–77), once per blade.
 
-use super::panels::segments;
-use crate::blade::{Blade, RootCondition, Tension};
+use super::grid::{Fields, Grid, dot, gram};
+use crate::blade::{Blade, RootCondition};
 use crate::dof::Dof;
-use crate::functions::{AssumedFunctions, BendingRoot, ClassicalBending, ClassicalTorsion, Sample, TorsionRoot};
+use crate::functions::{AssumedFunctions, BendingRoot, ClassicalBending, ClassicalTorsion, TorsionRoot};
 use crate::numerics::quadrature::GaussRules;
 use alloc::boxed::Box;
-use alloc::vec;
+use alloc::vec::Vec;
 use nalgebra::DMatrix;
 
 /// The matrices of one degree of freedom; (K + F + Ω² C − ω² M) q = 0 (Eq. 79–80). All symmetric,
@@ -21,6 +21,24 @@ pub struct SystemMatrices {
 }
 
 impl SystemMatrices {
+    /// The matrices of sums of the functions, one column of `coordinates` per sum; where there is a
+    /// rigid motion, it stays the first alone.
+    #[must_use]
+    pub fn reduced(&self, coordinates: &DMatrix<f64>) -> Self {
+        let project = |matrix: &DMatrix<f64>| {
+            let mut product = coordinates.tr_mul(&(matrix * coordinates));
+            product.fill_upper_triangle_with_lower_triangle();
+            product
+        };
+        Self {
+            dof: self.dof,
+            mass: project(&self.mass),
+            stiffness: project(&self.stiffness),
+            centrifugal: project(&self.centrifugal),
+            rigid: self.rigid,
+        }
+    }
+
     /// The degree of freedom.
     pub fn dof(&self) -> Dof {
         self.dof
@@ -90,94 +108,66 @@ pub fn classical_functions(blade: &Blade, dof: Dof, count: usize) -> Box<dyn Ass
     Box::new(ClassicalBending::new(condition, count, length, blade.mass().at(middle)))
 }
 
-/// Assembles the matrices of one degree of freedom.
-pub fn assemble(blade: &Blade, dof: Dof, functions: &dyn AssumedFunctions) -> SystemMatrices {
-    let n = functions.count();
-    let mut mass = DMatrix::zeros(n, n);
-    let mut stiffness = DMatrix::zeros(n, n);
-    let mut centrifugal = DMatrix::zeros(n, n);
-    let rules = GaussRules::new();
-    let root = blade.root(dof).offset;
-    let tension = Tension::new(blade.mass(), root, blade.radius());
-    let mut samples = vec![Sample::default(); n];
-    let mut rigid_row = vec![0.0; n];
-    for segment in segments(blade, dof, &[]) {
-        let of_mass = segment.linear(blade.mass());
-        let of_stiffness = segment.linear(blade.stiffness(dof));
-        let inertia = segment.linear(blade.polar_inertia());
-        let offset = segment.linear(blade.mass_offset());
-        segment.panels(functions.wave_number(), |a, b, phase| {
-            rules.each_point(a, b, phase, |r, weight| {
-                functions.sample(r - root, &mut samples);
-                let (m, s) = (weight * of_mass.at(r), weight * of_stiffness.at(r));
-                if dof == Dof::Torsion {
-                    let y = offset.at(r);
-                    add(&mut mass, &samples, weight * inertia.at(r), |f| f.value);
-                    add(&mut stiffness, &samples, s, |f| f.slope);
-                    add(&mut centrifugal, &samples, m * y * y, |f| f.value);
-                } else {
-                    add(&mut mass, &samples, m, |f| f.value);
-                    add(&mut stiffness, &samples, s, |f| f.curvature);
-                    add(&mut centrifugal, &samples, weight * tension.at(r), |f| f.slope);
-                    for (row, f) in rigid_row.iter_mut().zip(&samples) {
-                        *row += m * f.value;
-                    }
-                }
-            });
-        });
+/// Energies of some functions (n × n each), before what the degree of freedom makes of them.
+#[derive(Clone, Debug)]
+pub struct Energies {
+    /// ∫ J u_i u_j dr.
+    pub inertia: DMatrix<f64>,
+    /// ∫ D e_i e_j dr.
+    pub strain: DMatrix<f64>,
+    /// ∫ P t_i t_j dr.
+    pub pull: DMatrix<f64>,
+    /// ∫ J u_j dr.
+    pub first_moment: Vec<f64>,
+    /// The turn at the root.
+    pub root_turn: Vec<f64>,
+}
+
+impl Energies {
+    /// Of functions that stand at the points of a grid.
+    pub fn new(grid: &Grid, fields: &Fields) -> Self {
+        let masses: Vec<f64> = grid.weighted(grid.inertia()).collect();
+        Self {
+            inertia: gram(&fields.motion, grid.weighted(grid.inertia())),
+            strain: gram(&fields.strain, grid.weighted(grid.stiffness())),
+            pull: gram(&fields.turn, grid.weighted(grid.pull())),
+            first_moment: fields.motion.as_slice().chunks_exact(grid.len()).map(|u| dot(&masses, u)).collect(),
+            root_turn: fields.root_turn.clone(),
+        }
     }
-    if dof == Dof::Lag {
+}
+
+/// The matrices of one degree of freedom; `rigid` says that the first function is the rigid motion
+/// (φ = sx or θ = s), whose strain energy is exactly 0.
+pub fn assemble(grid: &Grid, energies: Energies, rigid: bool) -> SystemMatrices {
+    let Energies { inertia: mass, strain: mut stiffness, pull: mut centrifugal, first_moment, root_turn } = energies;
+    if grid.dof() == Dof::Lag {
         centrifugal -= &mass;
-        if functions.has_rigid_motion() {
+        if rigid {
             // φ₁ = s x: the tension's work is ∫ T s φ_j′ dr = s ∫ m r φ_j dr (by parts), the mass's
             // s ∫ m x φ_j dr; the difference is exactly the offset times s ∫ m φ_j dr. Written so
             // nothing cancels, and a central hinge is exactly free at every speed.
-            functions.sample(0.0, &mut samples);
-            let slope = samples.first().map_or(0.0, |f| f.slope);
-            for (j, row) in rigid_row.iter().enumerate() {
-                centrifugal[(j, 0)] = root * slope * row;
+            let factor = grid.root() * root_turn.first().copied().unwrap_or(0.0);
+            for (j, moment) in first_moment.iter().enumerate() {
+                let row = factor * moment;
+                (centrifugal[(j, 0)], centrifugal[(0, j)]) = (row, row);
             }
         }
     }
-    if let RootCondition::Spring(spring) = blade.root(dof).condition {
-        functions.sample(0.0, &mut samples);
-        add(&mut stiffness, &samples, spring, |f| if dof == Dof::Torsion { f.value } else { f.slope });
+    if let RootCondition::Spring(spring) = grid.condition() {
+        for (j, b) in root_turn.iter().enumerate() {
+            for (i, a) in root_turn.iter().enumerate() {
+                stiffness[(i, j)] += spring * a * b;
+            }
+        }
     }
-    for matrix in [&mut mass, &mut stiffness, &mut centrifugal] {
-        matrix.fill_upper_triangle_with_lower_triangle();
-    }
-    SystemMatrices { dof, mass, stiffness, centrifugal, rigid: functions.has_rigid_motion() }
+    let rigid = rigid && grid.condition() == RootCondition::Free;
+    SystemMatrices { dof: grid.dof(), mass, stiffness, centrifugal, rigid }
 }
 
 /// (2/l) ∫ φ φ dr (n × n) of torsion: a mode with qᵀ N q = 1 has ∫ X² dr = l/2 (Eq. 87).
-pub fn torsion_norm(blade: &Blade, functions: &dyn AssumedFunctions) -> DMatrix<f64> {
-    let n = functions.count();
-    let rules = GaussRules::new();
-    let root = blade.root(Dof::Torsion).offset;
-    let per_half_length = 2.0 / (blade.radius() - root);
-    let mut samples = vec![Sample::default(); n];
-    let mut norm = DMatrix::zeros(n, n);
-    for segment in segments(blade, Dof::Torsion, &[]) {
-        segment.panels(functions.wave_number(), |a, b, phase| {
-            rules.each_point(a, b, phase, |r, weight| {
-                functions.sample(r - root, &mut samples);
-                add(&mut norm, &samples, per_half_length * weight, |f| f.value);
-            });
-        });
-    }
-    norm.fill_upper_triangle_with_lower_triangle();
-    norm
-}
-
-/// Adds weight · f_i f_j to the lower triangle.
-fn add(matrix: &mut DMatrix<f64>, samples: &[Sample], weight: f64, part: impl Fn(&Sample) -> f64) {
-    if weight == 0.0 {
-        return;
-    }
-    for (j, column) in matrix.as_mut_slice().chunks_exact_mut(samples.len()).enumerate() {
-        let factor = weight * part(&samples[j]);
-        for (entry, sample) in column[j..].iter_mut().zip(&samples[j..]) {
-            *entry += factor * part(sample);
-        }
-    }
+pub fn torsion_norm(blade: &Blade, functions: &dyn AssumedFunctions, rules: &GaussRules) -> DMatrix<f64> {
+    let grid = Grid::for_functions(blade, Dof::Torsion, functions, rules, 0);
+    let per_half_length = 2.0 / (blade.radius() - grid.root());
+    gram(&Fields::sample(&grid, functions).motion, grid.weight().iter().map(|weight| per_half_length * weight))
 }

@@ -4,7 +4,7 @@ use super::panels::segments;
 use crate::blade::{Blade, Tension};
 use crate::dof::Dof;
 use crate::functions::{AssumedFunctions, Sample};
-use crate::numerics::quadrature::GaussRules;
+use crate::numerics::quadrature::{GaussRules, each_point};
 use alloc::vec;
 use alloc::vec::Vec;
 use nalgebra::DMatrix;
@@ -29,7 +29,13 @@ pub struct ShapeTables {
 }
 
 /// Tabulates the functions of one degree of freedom at ascending `radii` [m].
-pub fn tabulate(blade: &Blade, dof: Dof, functions: &dyn AssumedFunctions, radii: &[f64]) -> ShapeTables {
+pub fn tabulate(
+    blade: &Blade,
+    dof: Dof,
+    functions: &dyn AssumedFunctions,
+    radii: &[f64],
+    rules: &GaussRules,
+) -> ShapeTables {
     let (n, p) = (functions.count(), radii.len());
     let root = blade.root(dof).offset;
     let mut tables = ShapeTables {
@@ -47,7 +53,7 @@ pub fn tabulate(blade: &Blade, dof: Dof, functions: &dyn AssumedFunctions, radii
             tables.slope[(row, column)] = sample.slope;
         }
     }
-    integrate_from_tip(blade, dof, functions, &mut tables);
+    integrate_from_tip(blade, dof, functions, rules, &mut tables);
     tables
 }
 
@@ -65,10 +71,15 @@ struct Outboard {
 ///
 /// Bending: M(r) = ∫ [ω² ∫ m X dξ − Ω² T X′] ds from r to R; in lag the centrifugal force's
 /// component in the disc adds Ω² m X to the load. Torsion: M_t(r) = ∫ (ω² ρI_p − Ω² m Y²) X ds.
-fn integrate_from_tip(blade: &Blade, dof: Dof, functions: &dyn AssumedFunctions, tables: &mut ShapeTables) {
+fn integrate_from_tip(
+    blade: &Blade,
+    dof: Dof,
+    functions: &dyn AssumedFunctions,
+    rules: &GaussRules,
+    tables: &mut ShapeTables,
+) {
     let n = functions.count();
     let root = blade.root(dof).offset;
-    let rules = GaussRules::new();
     let tension = Tension::new(blade.mass(), root, blade.radius());
     let mut at = Outboard { shear: vec![0.0; n], inertial: vec![0.0; n], centrifugal: vec![0.0; n] };
     let mut samples = vec![Sample::default(); n];
@@ -81,7 +92,9 @@ fn integrate_from_tip(blade: &Blade, dof: Dof, functions: &dyn AssumedFunctions,
             tables.centrifugal[(row, column)] = at.centrifugal[column] - in_disc;
         }
     };
-    for segment in segments(blade, dof, &tables.radii.clone()).iter().rev() {
+    let joints = functions.joints().iter().map(|x| root + x);
+    let ends: Vec<f64> = tables.radii.iter().copied().chain(joints).collect();
+    for segment in segments(blade, dof, &ends).iter().rev() {
         while next > 0 && tables.radii[next - 1] >= segment.to {
             next -= 1;
             store(tables, next, &at);
@@ -95,8 +108,8 @@ fn integrate_from_tip(blade: &Blade, dof: Dof, functions: &dyn AssumedFunctions,
                 *moment += shear * (segment.to - segment.from);
             }
         }
-        segment.panels(functions.wave_number(), |a, b, phase| {
-            rules.each_point(a, b, phase, |r, weight| {
+        segment.panels(functions, rules, |a, b, rule| {
+            each_point(rule, a, b, |r, weight| {
                 functions.sample(r - root, &mut samples);
                 let m = weight * mass.at(r);
                 let (load, lever, pull) = if dof == Dof::Torsion {

@@ -2,63 +2,99 @@
 
 use crate::blade::Blade;
 use crate::dof::Dof;
+use crate::functions::AssumedFunctions;
 use crate::numerics::PiecewiseLinear;
-use crate::numerics::scalar::ceil;
+use crate::numerics::quadrature::GaussRules;
+use crate::numerics::scalar::{ceil, ln, pow};
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 
+/// Largest ratio of a stiffness at the ends of a part made by [`Segment::taper_cuts`]. Strain is
+/// moment by stiffness: polynomials follow 1/(1 + aξ) the more slowly the nearer its pole, and so do
+/// Gauss rules; at this ratio by a factor of 4.4 per degree.
+const TAPER: f64 = 2.5;
+
 /// A stretch of the span within which every property is linear.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Segment {
+pub(crate) struct Segment {
     /// Inner end [m].
-    pub(super) from: f64,
+    pub(crate) from: f64,
     /// Outer end [m].
-    pub(super) to: f64,
+    pub(crate) to: f64,
 }
 
 impl Segment {
     /// The property at `r` inside this segment, from its limits at both ends.
-    pub(super) fn linear(&self, property: &PiecewiseLinear) -> Linear {
+    pub(crate) fn linear(&self, property: &PiecewiseLinear) -> Linear {
         let (inner, outer) = (property.limits(self.from).1, property.limits(self.to).0);
         Linear { from: self.from, inner, slope: (outer - inner) / (self.to - self.from) }
     }
 
-    /// Calls `f(a, b, phase)` for equal panels of this segment, none longer than half a wave of the
-    /// wave number [rad/m], with the phase over each.
-    pub(super) fn panels(&self, wave_number: f64, mut f: impl FnMut(f64, f64, f64)) {
+    /// Radii inside the segment that cut it where a positive property has changed by [`TAPER`] or less.
+    pub(crate) fn taper_cuts(&self, property: &PiecewiseLinear) -> impl Iterator<Item = f64> {
+        let (from, length) = (self.from, self.to - self.from);
+        let (inner, outer) = (property.limits(self.from).1, property.limits(self.to).0);
+        let ratio = outer / inner;
+        let parts = ceil(ln(ratio).abs() / ln(TAPER));
+        let share = move |i: f64| (pow(ratio, i / parts) - 1.0) / (ratio - 1.0);
+        (1_u16..)
+            .map(f64::from)
+            .take_while(move |i| *i < parts)
+            .map(move |i| from + share(i) * length)
+            .scan(from, move |last, cut| {
+                Some((cut > *last && cut < from + length).then(|| {
+                    *last = cut;
+                    cut
+                }))
+            })
+            .flatten()
+    }
+
+    /// Calls `f(a, b, rule)` for equal panels of this segment and the Gauss rule that integrates the
+    /// product of two of the functions and a cubic over each; none is longer than half a wave.
+    pub(super) fn panels<'a>(
+        &self,
+        functions: &dyn AssumedFunctions,
+        rules: &'a GaussRules,
+        mut f: impl FnMut(f64, f64, &'a [(f64, f64)]),
+    ) {
+        if functions.degree() > 0 {
+            return f(self.from, self.to, rules.with_points(functions.degree() + 2));
+        }
+        let wave_number = functions.wave_number();
         let length = self.to - self.from;
         let count = ceil(wave_number * length / PI).max(1.0);
-        let phase = wave_number * length / count;
+        let rule = rules.for_phase(wave_number * length / count);
         // `count` is a whole number of at most some hundreds: 200 functions have 200 half waves.
         let mut a = self.from;
         let mut i = 1.0;
         while i < count {
             let b = self.from + length * (i / count);
-            f(a, b, phase);
+            f(a, b, rule);
             a = b;
             i += 1.0;
         }
-        f(a, self.to, phase);
+        f(a, self.to, rule);
     }
 }
 
 /// A property within one segment.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Linear {
+pub(crate) struct Linear {
     from: f64,
     inner: f64,
     slope: f64,
 }
 
 impl Linear {
-    pub(super) fn at(&self, r: f64) -> f64 {
+    pub(crate) fn at(&self, r: f64) -> f64 {
         self.inner + self.slope * (r - self.from)
     }
 }
 
 /// The segments of a degree of freedom from its root to the tip, inner first; `extra` radii split
 /// segments too.
-pub(super) fn segments(blade: &Blade, dof: Dof, extra: &[f64]) -> Vec<Segment> {
+pub(crate) fn segments(blade: &Blade, dof: Dof, extra: &[f64]) -> Vec<Segment> {
     let (root, radius) = (blade.root(dof).offset, blade.radius());
     let properties: &[&PiecewiseLinear] = match dof {
         Dof::Flap | Dof::Lag => &[blade.mass(), blade.stiffness(dof)],

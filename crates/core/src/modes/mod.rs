@@ -4,4 +4,4 @@ mod shapes;
 mod solve;
 
 pub use shapes::{Shape, shapes};
-pub use solve::{Mode, SolveError, solve};
+pub use solve::{Mode, SolveError, eigenvalues, solve};

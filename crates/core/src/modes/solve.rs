@@ -2,7 +2,7 @@
 
 use crate::dof::Dof;
 use crate::lagrange::SystemMatrices;
-use crate::numerics::eigen::{EigenError, lowest};
+use crate::numerics::eigen::{EigenError, lowest, lowest_values};
 use crate::numerics::scalar::sqrt;
 use alloc::vec::Vec;
 use core::fmt;
@@ -49,6 +49,18 @@ impl fmt::Display for SolveError {
 }
 
 impl core::error::Error for SolveError {}
+
+/// The `count` lowest eigenvalues at Ω² = `speed_squared` [rad²/s²] without their shapes.
+///
+/// # Errors
+/// [`SolveError`].
+pub fn eigenvalues(matrices: &SystemMatrices, speed_squared: f64, count: usize) -> Result<Vec<f64>, SolveError> {
+    let g = matrices.stiffness() + matrices.centrifugal() * speed_squared;
+    match lowest_values(&g, matrices.mass(), count.min(matrices.count())) {
+        Some(values) => Ok(values),
+        None => Ok(solve(matrices, speed_squared, count)?.iter().map(|mode| mode.eigenvalue).collect()),
+    }
+}
 
 /// The `count` lowest modes at Ω² = `speed_squared` [rad²/s²], or as many as there are functions.
 ///

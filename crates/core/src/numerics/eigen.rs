@@ -36,6 +36,8 @@ pub struct Eigen {
 /// Above this ratio of λ to the smallest λ the rounding of the eigensolver, which is relative to
 /// the largest 1/λ, is taken out by a Rayleigh quotient.
 const SPREAD_FOR_QUOTIENT: f64 = 1e3;
+/// Up to this ratio of λ to the smallest λ eigenvalues without vectors are good to 1e-11 or so.
+const SPREAD_FOR_VALUES: f64 = 5e4;
 /// Above this ratio of λ₂ to λ₁ the modes from the second on are solved apart from the first.
 const SPREAD_FOR_SHIFT: f64 = 1e5;
 /// Share of the largest 1/λ below which an eigenvalue is nothing but rounding.
@@ -56,6 +58,33 @@ pub fn lowest(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<Eigen,
         Some(rigid) => with_rigid_mode(g, m, rigid, count),
         None => elastic(g, m, count),
     }
+}
+
+/// The `count` lowest λ alone, where G is positive definite and their ratios small enough for that
+/// to keep nine digits or more; `None` else, and [`lowest`] has the answer.
+pub fn lowest_values(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Option<Vec<f64>> {
+    if g.diagonal().iter().any(|&d| !(d > 0.0 && d.is_finite())) {
+        return None;
+    }
+    let scale = g.diagonal().map(|d| 1.0 / sqrt(d));
+    let l = Cholesky::new(scaled(g, &scale))?.unpack();
+    let a = sandwich(&l, scaled(m, &scale))?;
+    if a.iter().any(|v| !v.is_finite()) {
+        return None;
+    }
+    let mut inverse: Vec<f64> = a.symmetric_eigenvalues().iter().copied().collect();
+    inverse.sort_by(|a, b| f64::total_cmp(b, a));
+    inverse.truncate(count);
+    let plain = inverse.len() == count && inverse.iter().all(|v| *v * SPREAD_FOR_VALUES > inverse[0]);
+    plain.then(|| inverse.iter().map(|v| 1.0 / v).collect())
+}
+
+/// L⁻¹ M L⁻ᵀ: two triangular solves, the second on the transpose of the first.
+fn sandwich(l: &DMatrix<f64>, m: DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let mut a = m;
+    let solved = l.solve_lower_triangular_mut(&mut a);
+    a.transpose_mut();
+    (solved && l.solve_lower_triangular_mut(&mut a)).then_some(a)
 }
 
 /// The rigid function is a mode with λ = 0. The others are orthogonal to it, (M q)_rigid = 0; that
@@ -157,13 +186,7 @@ fn ascending(modes: Eigen) -> Eigen {
 fn largest_inverse(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<(Vec<f64>, DMatrix<f64>), EigenError> {
     let n = g.nrows();
     let l = Cholesky::new(g.clone()).ok_or(EigenError::NotPositiveDefinite)?.unpack();
-    // A = L⁻¹ M L⁻ᵀ: two triangular solves, the second on the transpose of the first.
-    let mut a = m.clone();
-    let solved = l.solve_lower_triangular_mut(&mut a);
-    a.transpose_mut();
-    if !(solved && l.solve_lower_triangular_mut(&mut a)) {
-        return Err(EigenError::NotPositiveDefinite);
-    }
+    let a = sandwich(&l, m.clone()).ok_or(EigenError::NotPositiveDefinite)?;
     let eigen = SymmetricEigen::try_new(a, f64::EPSILON, STEPS_PER_EIGENVALUE * n).ok_or(EigenError::NotConverged)?;
     if eigen.eigenvalues.iter().any(|v| !v.is_finite()) {
         return Err(EigenError::NotConverged);

@@ -1,8 +1,10 @@
 //! Numerical parts that know no blade: scalar functions, quadrature, roots, piecewise-linear
-//! functions, eigenproblems, Chebyshev interpolation.
+//! functions, eigenproblems, Legendre and Chebyshev polynomials, chains of elements.
 
+pub mod chain;
 pub mod chebyshev;
 pub mod eigen;
+pub mod legendre;
 pub mod quadrature;
 pub mod roots;
 pub mod scalar;

@@ -4,18 +4,20 @@ use alloc::vec::Vec;
 use core::num::NonZeroUsize;
 use gauss_quad::GaussLegendre;
 
-/// Fewest points of a rule; exact for polynomials of degree 9.
-const FEWEST_POINTS: usize = 5;
-/// Most points of a rule; enough for a phase of π.
+/// Fewest points of a rule for waves; exact for polynomials of degree 5.
+const FEWEST_POINTS: usize = 3;
+/// Most points of a rule for waves; enough for a phase of π.
 const MOST_POINTS: usize = 16;
+/// Most points of any rule; polynomials have no other limit.
+const LARGEST_RULE: usize = 26;
 /// Error of a rule relative to the integrand's size; far below the rounding of the sum.
 const TOLERANCE: f64 = 1e-18;
 
-/// Rules with 5 to 16 points, and which of them an integrand needs.
+/// Rules with 1 to 26 points, and which of them an integrand needs.
 #[derive(Clone, Debug)]
 pub struct GaussRules {
     rules: Vec<Vec<(f64, f64)>>,
-    /// The largest phase each rule is good for, ascending.
+    /// The largest phase each rule from [`FEWEST_POINTS`] on is good for, ascending.
     phases: Vec<f64>,
 }
 
@@ -28,14 +30,12 @@ impl Default for GaussRules {
 impl GaussRules {
     /// All rules.
     pub fn new() -> Self {
-        let points = FEWEST_POINTS..=MOST_POINTS;
         Self {
-            rules: points
-                .clone()
+            rules: (1..=LARGEST_RULE)
                 .filter_map(NonZeroUsize::new)
                 .map(|n| GaussLegendre::new(n).as_node_weight_pairs().to_vec())
                 .collect(),
-            phases: points.map(largest_phase).collect(),
+            phases: (FEWEST_POINTS..=MOST_POINTS).map(largest_phase).collect(),
         }
     }
 
@@ -43,16 +43,22 @@ impl GaussRules {
     /// panel on which each wave advances by at most `phase` ≤ π [rad], to rounding. "Wave" means
     /// sin, cos or the exponential of that rate.
     pub fn for_phase(&self, phase: f64) -> &[(f64, f64)] {
-        let index = self.phases.partition_point(|&limit| limit < phase).min(self.rules.len() - 1);
-        &self.rules[index]
+        let index = self.phases.partition_point(|&limit| limit < phase);
+        self.with_points((FEWEST_POINTS + index).min(MOST_POINTS))
     }
 
-    /// Calls `f(x, weight)` for each point of the rule for `phase` on [a, b].
-    pub fn each_point(&self, a: f64, b: f64, phase: f64, mut f: impl FnMut(f64, f64)) {
-        let (half, middle) = (0.5 * (b - a), 0.5 * (a + b));
-        for &(node, weight) in self.for_phase(phase) {
-            f(middle + half * node, half * weight);
-        }
+    /// Nodes and weights of the rule with `points` points (the nearest number from 1 to 26), which
+    /// integrates polynomials up to degree 2 · `points` − 1 exactly.
+    pub fn with_points(&self, points: usize) -> &[(f64, f64)] {
+        &self.rules[points.clamp(1, LARGEST_RULE) - 1]
+    }
+}
+
+/// Calls `f(x, weight)` for each point of a rule on [a, b].
+pub fn each_point(rule: &[(f64, f64)], a: f64, b: f64, mut f: impl FnMut(f64, f64)) {
+    let (half, middle) = (0.5 * (b - a), 0.5 * (a + b));
+    for &(node, weight) in rule {
+        f(middle + half * node, half * weight);
     }
 }
 
@@ -78,7 +84,7 @@ mod tests {
     #[test]
     fn polynomials_up_to_degree_2n_minus_1_are_exact() {
         let rules = GaussRules::new();
-        for (rule, end) in rules.rules.iter().zip((10..).step_by(2)) {
+        for (rule, end) in rules.rules.iter().zip((2..).step_by(2)) {
             for degree in 0..end {
                 let sum: f64 = rule.iter().map(|(x, w)| w * x.powi(degree)).sum();
                 let exact = if degree % 2 == 0 { 2.0 / f64::from(degree + 1) } else { 0.0 };

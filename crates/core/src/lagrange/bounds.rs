@@ -1,0 +1,137 @@
+//! Two-sided bounds of eigenvalues: Rayleigh and Ritz from above, Lehmann, Maehly and Goerisch from
+//! below (docs/THEORY.md; F. Goerisch & Z. He, in: Computer Arithmetic and Self-Validating Numerical
+//! Methods, 1990). A blade is statically determinate, so the lower bounds come from the same
+//! functions by integrating their loads from the tip.
+
+use super::gap::{FromTip, moment_gaps};
+use super::grid::{Fields, Grid};
+use crate::blade::RootCondition;
+use crate::dof::Dof;
+use crate::numerics::eigen::lowest;
+use crate::numerics::scalar::sqrt;
+use alloc::vec;
+use alloc::vec::Vec;
+use nalgebra::{DMatrix, DVector};
+
+/// Share of the gap below λ_{n+1} at which ρ stands: far above λ_n, and below λ_{n+1} by many times
+/// its error.
+const SEPARATION: f64 = 0.8;
+/// Modes with less than this part of the last one's x/(1 − x) are bounded apart from it: the
+/// eigensolver cannot tell them from 0 beside it.
+const SPREAD: f64 = 1e-10;
+/// Relative rounding of an energy that is a sum of squares over the points of a blade, generously.
+const ROUNDING: f64 = 1e-13;
+
+/// An eigenvalue λ = ω² lies in here [rad²/s²].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// At least 0.
+    pub lower: f64,
+    /// At least `lower`.
+    pub upper: f64,
+}
+
+/// Intervals of the lowest modes of one degree of freedom.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bounds {
+    /// One per mode.
+    pub intervals: Vec<Interval>,
+    /// ρ, known to lie above the last mode that has a lower bound of its own and not above the next
+    /// eigenvalue [rad²/s²]; `None` where no mode has one.
+    pub separation: Option<f64>,
+}
+
+/// Bounds of the modes with eigenvalues `ritz` and these fields at Ω² = `speed_squared`.
+/// `reference` holds the converged eigenvalues of as many modes and one more, all of ω² [rad²/s²].
+/// `slack` ≥ 1 multiplies the complementary energy where its quadrature is not exact.
+pub fn bounds(
+    grid: &Grid,
+    from_tip: &FromTip,
+    fields: &Fields,
+    ritz: &[f64],
+    reference: &[f64],
+    speed_squared: f64,
+    slack: f64,
+) -> Bounds {
+    // Lag is the flap-type problem of its stiffness less Ω².
+    let shift = if grid.dof() == Dof::Lag { speed_squared } else { 0.0 };
+    let values: Vec<f64> = ritz.iter().map(|value| value + shift).collect();
+    let reference: Vec<f64> = reference.iter().map(|value| value + shift).collect();
+    // A mode without any potential energy is known exactly and leaves the others to themselves.
+    let rigid = values.iter().take_while(|value| **value == 0.0).count();
+    let energies = moment_gaps(grid, from_tip, fields, &values, rigid, speed_squared).energies(grid) * slack;
+    let separation = |n: usize| reference[n - 1] + SEPARATION * (reference[n] - reference[n - 1]);
+    let bounded = (rigid + 1..=values.len().min(reference.len().saturating_sub(1)))
+        .rev()
+        .find(|&n| values[n - 1] < separation(n));
+    let rounding = rounding(grid, fields, &values, speed_squared);
+    let mut intervals = Vec::with_capacity(values.len());
+    let lower = match bounded {
+        Some(n) => lower_bounds(&values[rigid..n], &energies, rigid, separation(n)),
+        None => Vec::new(),
+    };
+    let mut least = 0.0_f64;
+    for (mode, (&value, rounding)) in ritz.iter().zip(&rounding).enumerate() {
+        if value == 0.0 {
+            intervals.push(Interval { lower: 0.0, upper: 0.0 });
+            continue;
+        }
+        // Without a bound of its own a mode is at least where the one before it is.
+        if let Some(bound) = mode.checked_sub(rigid).and_then(|index| lower.get(index)) {
+            least = least.max(bound.min(values[mode]) - shift - rounding);
+        }
+        intervals.push(Interval { lower: least.max(0.0), upper: value + rounding });
+    }
+    Bounds { intervals, separation: bounded.map(|n| separation(n) - shift) }
+}
+
+/// Lower bounds ρ s/(1 + s) of eigenvalues below ρ. With x = λ/ρ the matrices of the method,
+/// A0 − ρ A1 and A0 − 2ρ A1 + ρ² A2, become after scaling −diag(x/(1 − x)) and I + N,
+/// N_ij = √(λ_i λ_j) E_ij / ((1 − x_i)(1 − x_j)), with E the complementary energies of the gaps:
+/// nothing cancels, and where the gaps vanish so does the distance of the bounds. s = −t.
+///
+/// Modes that lie far below the rest come after them, with the lowest bound of the rest as their ρ.
+fn lower_bounds(values: &[f64], energies: &DMatrix<f64>, first: usize, separation: f64) -> Vec<f64> {
+    let n = values.len();
+    let ratio = |value: f64| value / (separation - value);
+    let far = values.iter().take_while(|value| ratio(**value) < SPREAD * ratio(values[n - 1])).count();
+    let scale = |i: usize| sqrt(values[i]) / (1.0 - values[i] / separation);
+    let g = DMatrix::from_fn(n - far, n - far, |i, j| {
+        let own = if i == j { 1.0 } else { 0.0 };
+        own + scale(far + i) * scale(far + j) * energies[(first + far + i, first + far + j)]
+    });
+    let m = DMatrix::from_diagonal(&DVector::from_fn(n - far, |i, _| ratio(values[far + i])));
+    // (I + N) z = (1/s) diag(x/(1 − x)) z; the highest mode has the smallest 1/s.
+    let Ok(eigen) = lowest(&g, &m, n - far) else { return vec![0.0; n] };
+    let mut bounds: Vec<f64> = eigen.values.iter().rev().map(|inverse| separation / (1.0 + inverse)).collect();
+    if far > 0 {
+        let next = bounds[0];
+        let below =
+            if next > values[far - 1] { lower_bounds(&values[..far], energies, first, next) } else { vec![0.0; far] };
+        bounds.splice(..0, below);
+    }
+    bounds
+}
+
+/// How far rounding may have moved each eigenvalue: that of the sums of squares, and how far the
+/// eigenvalue lies from the Rayleigh quotient of its own fields.
+fn rounding(grid: &Grid, fields: &Fields, values: &[f64], speed_squared: f64) -> Vec<f64> {
+    let points = grid.len();
+    let energy = |a: &DMatrix<f64>, mode: usize, property: &[f64]| -> f64 {
+        let column = &a.as_slice()[mode * points..(mode + 1) * points];
+        grid.weight().iter().zip(property).zip(column).map(|((w, p), v)| w * p * v * v).sum()
+    };
+    values
+        .iter()
+        .enumerate()
+        .map(|(mode, &value)| {
+            let mut potential = energy(&fields.strain, mode, grid.stiffness())
+                + speed_squared * energy(&fields.turn, mode, grid.pull());
+            if let RootCondition::Spring(spring) = grid.condition() {
+                potential += spring * fields.root_turn[mode] * fields.root_turn[mode];
+            }
+            let quotient = potential / energy(&fields.motion, mode, grid.inertia());
+            ROUNDING * value + (quotient - value).abs()
+        })
+        .collect()
+}
