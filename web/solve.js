@@ -45,7 +45,6 @@ export function startSolving(store, client) {
       modes: found.value,
       margins: value,
       solvedSpeed: speed,
-      solvedFunctions: options.functions,
     }));
   }
 

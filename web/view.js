@@ -17,7 +17,7 @@ function showNumbers(state, onChoose) {
   at("numbers-title").textContent = `Frequencies at ${speed}${state.solvedSpeed === null ? ", nominal" : ""}`;
   showModes(at("modes").tBodies[0], modes, state.margins, onChoose);
   at("closest").textContent = closestWords(state.margins, speed, state.fan?.harmonics);
-  at("paper-column").textContent = `paper N=${state.solvedFunctions}`;
+  at("paper-column").textContent = `paper N=${modes.classical_functions}`;
   at("model").textContent = `${basisWords(modes.basis)}; ${state.about.model}`;
   document.title = `${modes.blade} – bladefan`;
 }

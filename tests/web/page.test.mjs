@@ -198,6 +198,7 @@ pageTest("a mode is chosen in the table and its shape stands beside it", {}, asy
 });
 
 pageTest("options reach the solver and their faults stand where they were made", {}, async (page) => {
+  assert.equal(await page.locator("#paper-column").textContent(), "paper N=15");
   await page.locator("#option-modes").fill("2");
   await page.waitForFunction(() => document.querySelectorAll("#modes tbody tr").length === 6);
   await page.locator("#option-functions").fill("0");

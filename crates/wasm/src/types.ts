@@ -114,6 +114,8 @@ export interface ModesReport {
   blade: string;
   speed_rad_s: number;
   basis: Basis;
+  /** How many of the paper's functions are behind `classical_rad_s`. */
+  classical_functions: number;
   /** In the order flap, lag, torsion, ascending within each. */
   modes: Mode[];
   warnings: Warning[];

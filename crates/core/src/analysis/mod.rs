@@ -48,6 +48,7 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Vec<Faul
         blade: blade.name().to_string(),
         speed_rad_s: speed,
         basis: BasisReport { family: settings.basis, functions: FunctionCounts::default() },
+        classical_functions: settings.functions,
         modes: Vec::new(),
         warnings: blade.warnings().to_vec(),
     };

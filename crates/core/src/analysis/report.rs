@@ -91,6 +91,8 @@ report! {
         speed_rad_s: f64,
         /// Assumed functions.
         basis: BasisReport,
+        /// How many of the paper's functions are behind `classical_rad_s`.
+        classical_functions: usize,
         /// The modes.
         modes: Vec<ModeReport>,
         /// Warnings of the blade.
