@@ -54,13 +54,12 @@ impl Elements {
             }
             tables[order].get_or_insert_with(|| Tables::new(order, rules.with_points(order + EXTRA_POINTS)));
         }
-        let size: usize = mesh.orders().iter().map(|order| order * order).sum();
         let mut elements = Self {
             torsion: dof == Dof::Torsion,
-            stiffness: Vec::with_capacity(size),
-            pull: Vec::with_capacity(size),
-            coupling: Vec::with_capacity(mesh.count()),
-            own: Vec::with_capacity(mesh.orders().len()),
+            stiffness: Vec::new(),
+            pull: Vec::new(),
+            coupling: Vec::new(),
+            own: Vec::new(),
             mesh,
             grid,
             tables,
@@ -75,38 +74,36 @@ impl Elements {
     }
 
     fn add_energies(&mut self) {
-        let (mut stiffness, mut pull) = (Vec::new(), Vec::new());
-        for (e, &order) in self.mesh.orders().iter().enumerate() {
-            let cell = &self.grid.cells()[e];
+        let rigidities: Vec<f64> = self.grid.weighted(self.grid.stiffness()).collect();
+        let pulls: Vec<f64> = self.grid.weighted(self.grid.pull()).collect();
+        let size: usize = self.mesh.orders().iter().map(|order| order * order).sum();
+        let (mut of_strain, mut of_pull) = (Vec::with_capacity(size), Vec::with_capacity(size));
+        let mut coupling = Vec::with_capacity(self.mesh.count());
+        let mut own = Vec::with_capacity(self.mesh.orders().len());
+        for (cell, &order) in self.grid.cells().iter().zip(self.mesh.orders()) {
             let half = cell.half();
-            stiffness.clear();
-            stiffness.extend(self.grid.weighted(self.grid.stiffness()).skip(cell.points.start).take(cell.points.len()));
-            pull.clear();
-            pull.extend(self.grid.weighted(self.grid.pull()).skip(cell.points.start).take(cell.points.len()));
-            let table = self.tables[order].as_ref().unwrap_or_else(|| unreachable!());
+            let (stiffness, pull) = (&rigidities[cell.points.clone()], &pulls[cell.points.clone()]);
+            let table = self.table(order);
             let triple =
                 |w: &[f64], a: &[f64], b: &[f64]| -> f64 { w.iter().zip(a).zip(b).map(|((w, a), b)| w * a * b).sum() };
             for j in 0..order {
                 for i in 0..order {
                     // The lower triangle is used; a linear stiffness couples neighbours only.
-                    self.stiffness.push(if i == j || i == j + 1 {
-                        triple(&stiffness, table.value(i), table.value(j))
+                    of_strain.push(if i == j || i == j + 1 {
+                        triple(stiffness, table.value(i), table.value(j))
                     } else {
                         0.0
                     });
-                    self.pull.push(if i >= j {
-                        half * half * triple(&pull, table.first(i), table.first(j))
-                    } else {
-                        0.0
-                    });
+                    of_pull.push(if i >= j { half * half * triple(pull, table.first(i), table.first(j)) } else { 0.0 });
                 }
             }
             for j in 0..order {
                 let sum: f64 = pull.iter().zip(table.first(j)).map(|(w, a)| w * a).sum();
-                self.coupling.push(half * sum);
+                coupling.push(half * sum);
             }
-            self.own.push(pull.iter().sum());
+            own.push(pull.iter().sum());
         }
+        (self.stiffness, self.pull, self.coupling, self.own) = (of_strain, of_pull, coupling, own);
     }
 
     /// The factor of K + Ω² C of the clamped root, in lag without −Ω² M.
@@ -217,11 +214,6 @@ impl Elements {
     /// Whether the root turns: hinged, or on a spring.
     pub(super) fn root_turns(&self) -> bool {
         self.grid.condition() != RootCondition::Clamped
-    }
-
-    /// The rigid motion at a point: x or 1.
-    pub(super) fn rigid(&self) -> Vec<f64> {
-        if self.torsion { vec![1.0; self.grid.len()] } else { self.grid.x().collect() }
     }
 }
 

@@ -285,7 +285,7 @@ impl Reduced {
             strain: DMatrix::zeros(points, n),
             root_turn: vec![0.0; n],
         };
-        let rigid_motion = elements.rigid();
+        let rigid_motion = elements.grid.rigid_motion();
         for (column, q) in coordinates.column_iter().enumerate() {
             let sum = &self.coefficients * q.rows(rigid, q.nrows() - rigid);
             let vector = elements.vector(sum.as_slice().to_vec());

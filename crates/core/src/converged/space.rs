@@ -52,7 +52,7 @@ impl<'a> Space<'a> {
         let mut space = Self {
             elements,
             anchor,
-            rigid: elements.root_turns().then(|| elements.rigid()),
+            rigid: elements.root_turns().then(|| elements.grid.rigid_motion()),
             functions: Vec::new(),
             weighted: Vec::new(),
             strain: Vec::new(),
@@ -203,10 +203,8 @@ impl<'a> Space<'a> {
 
     /// The `count` lowest modes within the space; in lag those of the flap-type problem.
     pub(super) fn ritz(&self, speed_squared: f64, count: usize) -> Result<Eigen, EigenError> {
-        let n = self.len();
-        let lower = |rows: &[Vec<f64>], i: usize, j: usize| if i >= j { rows[i][j] } else { rows[j][i] };
-        let mut g = DMatrix::from_fn(n, n, |i, j| lower(&self.strain, i, j) + speed_squared * lower(&self.pull, i, j));
-        let m = DMatrix::from_fn(n, n, |i, j| lower(&self.inertia, i, j));
+        let mut g = symmetric(&self.strain) + symmetric(&self.pull) * speed_squared;
+        let m = symmetric(&self.inertia);
         if let RootCondition::Spring(spring) = self.elements.grid.condition() {
             g[(0, 0)] += spring;
         }
@@ -224,16 +222,14 @@ impl<'a> Space<'a> {
 
     /// Energies of all functions.
     pub(super) fn energies(&self) -> Energies {
-        let n = self.len();
-        let full = |rows: &[Vec<f64>]| DMatrix::from_fn(n, n, |i, j| if i >= j { rows[i][j] } else { rows[j][i] });
-        let mut root_turn = vec![0.0; n];
+        let mut root_turn = vec![0.0; self.len()];
         if self.rigid.is_some() {
             root_turn[0] = 1.0;
         }
         Energies {
-            inertia: full(&self.inertia),
-            strain: full(&self.strain),
-            pull: full(&self.pull),
+            inertia: symmetric(&self.inertia),
+            strain: symmetric(&self.strain),
+            pull: symmetric(&self.pull),
             first_moment: self.weighted.iter().map(|f| f.motion.iter().sum()).collect(),
             root_turn,
         }
@@ -245,6 +241,11 @@ impl<'a> Space<'a> {
         let columns: Vec<f64> = elastic.iter().flat_map(|f| f.coefficients.iter().copied()).collect();
         DMatrix::from_vec(self.elements.mesh.count(), elastic.len(), columns) * coordinates
     }
+}
+
+/// The matrix whose lower triangle has these rows.
+fn symmetric(rows: &[Vec<f64>]) -> DMatrix<f64> {
+    DMatrix::from_fn(rows.len(), rows.len(), |i, j| rows[i.max(j)][i.min(j)])
 }
 
 fn scaled(values: &mut [f64], factor: f64) {

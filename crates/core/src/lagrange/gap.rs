@@ -44,6 +44,16 @@ impl FromTip {
         }
         outboard
     }
+
+    /// What the inertia of a motion presses on the turn, per ω² and length: the shear in bending, the
+    /// torque per length in torsion. `scratch` is overwritten.
+    fn press(&self, grid: &Grid, motion: &[f64], out: &mut [f64], scratch: &mut [f64]) {
+        out.iter_mut().zip(grid.inertia()).zip(motion).for_each(|((out, j), u)| *out = j * u);
+        if grid.dof() != Dof::Torsion {
+            self.integrate(grid, out, scratch);
+            out.copy_from_slice(scratch);
+        }
+    }
 }
 
 /// Moments of some modes that their strain does not explain, per unit of ω²-fold displacement: the
@@ -77,11 +87,7 @@ pub fn moment_gaps(
         let motion = &fields.motion.as_slice()[column.clone()];
         let turn = &fields.turn.as_slice()[column.clone()];
         let strain = &fields.strain.as_slice()[column.clone()];
-        load.iter_mut().zip(grid.inertia()).zip(motion).for_each(|((load, j), u)| *load = j * u);
-        if grid.dof() != Dof::Torsion {
-            from_tip.integrate(grid, &load, &mut sum);
-            load.copy_from_slice(&sum);
-        }
+        from_tip.press(grid, motion, &mut load, &mut sum);
         let pull = speed_squared / eigenvalue;
         load.iter_mut().zip(grid.pull()).zip(turn).for_each(|((load, p), t)| *load -= pull * p * t);
         at_root[mode] = from_tip.integrate(grid, &load, &mut sum);
@@ -102,13 +108,7 @@ pub fn moment_gaps(
         RootCondition::Free => {
             // No moment may reach a free root, and none does but for rounding: the rigid motion is
             // one of the functions. What is left is taken off as the inertia of so much of it.
-            for ((load, j), x) in load.iter_mut().zip(grid.inertia()).zip(grid.x()) {
-                *load = if grid.dof() == Dof::Torsion { *j } else { j * x };
-            }
-            if grid.dof() != Dof::Torsion {
-                from_tip.integrate(grid, &load, &mut sum);
-                load.copy_from_slice(&sum);
-            }
+            from_tip.press(grid, &grid.rigid_motion(), &mut load, &mut sum);
             let total = from_tip.integrate(grid, &load, &mut sum);
             for (mode, gap) in at_root.iter().enumerate().skip(rigid) {
                 let out = &mut moment.as_mut_slice()[mode * points..(mode + 1) * points];

@@ -178,6 +178,11 @@ impl Grid {
         self.radius.iter().map(|r| r - self.root)
     }
 
+    /// The motion of a unit rigid turn about the root: x in bending, 1 in torsion.
+    pub fn rigid_motion(&self) -> Vec<f64> {
+        if self.dof == Dof::Torsion { vec![1.0; self.len()] } else { self.x().collect() }
+    }
+
     /// Quadrature weights [m].
     pub fn weight(&self) -> &[f64] {
         &self.weight
