@@ -128,7 +128,7 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Vec<Fault>> {
         let matrices = basis.matrices();
         let at_rest = solve(matrices, 0.0, settings.modes)?;
         let curves =
-            Curves::fit(matrices, range.from * range.from, range.to * range.to, settings.modes).map_err(unsolvable)?;
+            Curves::fit(matrices, &at_rest, range.from * range.from, range.to * range.to).map_err(unsolvable)?;
         chart.branches.extend(at_rest.iter().enumerate().map(|(index, mode)| Branch {
             label: label(dof, index + 1),
             dof,

@@ -3,10 +3,16 @@
 //! Within one uncoupled degree of freedom the eigenvalues are simple, so order is identity and
 //! each λ is an analytic function of Ω² (docs/THEORY.md): a few Chebyshev nodes carry a chart of
 //! any number of speeds. Whether they suffice is checked against the eigenproblem between them.
+//!
+//! Near rest the λ of a soft blade bend sharply, where its own stiffness gives way to the centrifugal
+//! one. They do so between complex Ω² at which neighbours would meet, about where their straight
+//! lines k₀ + k₁ Ω² do (Southwell's coefficients), at a negative Ω². The nodes are therefore taken
+//! in ln(1 + Ω²/bend) with the nearest such point as the bend: it moves that point far away.
 
 use crate::lagrange::SystemMatrices;
-use crate::modes::{SolveError, eigenvalues, solve};
+use crate::modes::{Mode, SolveError, eigenvalues};
 use crate::numerics::chebyshev::{interpolate, node, slopes};
+use crate::numerics::scalar::{exp_m1, ln_1p};
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -24,10 +30,14 @@ const LAST_DEGREE: usize = 32;
 const CHECKS: [f64; 2] = [0.013, 0.47];
 /// Most pieces; the last ones are taken as they are.
 const MOST_PIECES: usize = 64;
+/// Bounds of the bend of the scale as a share of the highest Ω²: outside them it is straight, or
+/// rest is all there is of it.
+const BEND: (f64, f64) = (1e-12, 1e3);
 
 /// The lowest eigenvalues of one degree of freedom over a range of Ω².
 #[derive(Clone, Debug)]
 pub struct Curves {
+    scale: Scale,
     pieces: Vec<Piece>,
     branches: usize,
     /// The first branch starts as a rigid motion, λ₁ = 0 at rest: λ₁/Ω² is interpolated, which
@@ -35,9 +45,16 @@ pub struct Curves {
     rigid: bool,
 }
 
+/// The scale t = ln(1 + s/bend) of s = Ω² on which the branches are smooth.
+#[derive(Clone, Copy, Debug)]
+struct Scale {
+    bend: f64,
+}
+
 /// Values at the nodes of one piece of the range.
 #[derive(Clone, Debug)]
 struct Piece {
+    /// On the scale.
     nodes: Vec<f64>,
     rows: Vec<Vec<f64>>,
 }
@@ -51,22 +68,43 @@ pub(super) struct Point {
     pub(super) slope: f64,
 }
 
+impl Scale {
+    /// For modes at rest and Ω² up to `to`.
+    fn new(at_rest: &[Mode], to: f64) -> Self {
+        let bend = at_rest
+            .windows(2)
+            .map(|pair| (pair[1].eigenvalue - pair[0].eigenvalue) / (pair[1].southwell - pair[0].southwell))
+            .filter(|bend| *bend > 0.0)
+            .fold(f64::INFINITY, f64::min);
+        Self { bend: bend.clamp(BEND.0 * to, BEND.1 * to).max(f64::MIN_POSITIVE) }
+    }
+
+    fn at(self, speed_squared: f64) -> f64 {
+        ln_1p(speed_squared / self.bend)
+    }
+
+    fn speed_squared(self, t: f64) -> f64 {
+        self.bend * exp_m1(t)
+    }
+}
+
 impl Curves {
-    /// The `count` lowest eigenvalues for `from` ≤ Ω² ≤ `to` [rad²/s²].
+    /// As many of the lowest eigenvalues as there are modes `at_rest`, for `from` ≤ Ω² ≤ `to` [rad²/s²].
     ///
     /// # Errors
     /// [`SolveError`].
-    pub fn fit(matrices: &SystemMatrices, from: f64, to: f64, count: usize) -> Result<Self, SolveError> {
+    pub fn fit(matrices: &SystemMatrices, at_rest: &[Mode], from: f64, to: f64) -> Result<Self, SolveError> {
         let rigid = matrices.has_rigid_motion();
-        let row = |s: f64| row(matrices, s, count, rigid);
+        let scale = Scale::new(at_rest, to);
+        let row = |t: f64| row(matrices, at_rest, scale.speed_squared(t), rigid);
         let mut pieces = Vec::new();
-        let mut waiting = vec![(from, to)];
+        let mut waiting = vec![(scale.at(from), scale.at(to))];
         while let Some((from, to)) = waiting.pop() {
             let mut piece = Piece {
                 nodes: (0..=FIRST_DEGREE).map(|i| node(from, to, FIRST_DEGREE, i)).collect(),
                 rows: Vec::new(),
             };
-            piece.rows = piece.nodes.iter().map(|&s| row(s)).collect::<Result<_, _>>()?;
+            piece.rows = piece.nodes.iter().map(|&t| row(t)).collect::<Result<_, _>>()?;
             loop {
                 let coarse_error = piece.refine(from, to, row)?;
                 let enough = coarse_error < TOLERANCE
@@ -84,8 +122,7 @@ impl Curves {
                 }
             }
         }
-        let branches = pieces.first().and_then(|piece| piece.rows.first()).map_or(0, Vec::len);
-        Ok(Self { pieces, branches, rigid })
+        Ok(Self { scale, pieces, branches: at_rest.len(), rigid })
     }
 
     /// Number of branches.
@@ -96,8 +133,9 @@ impl Curves {
     /// λ of every branch at Ω² = `speed_squared` inside the range; never below 0.
     pub fn eigenvalues(&self, speed_squared: f64) -> Vec<f64> {
         let mut values = vec![0.0; self.branches];
-        if let Some(piece) = self.piece(speed_squared) {
-            interpolate(&piece.nodes, &piece.rows, speed_squared, &mut values);
+        let t = self.scale.at(speed_squared);
+        if let Some(piece) = self.piece(t) {
+            interpolate(&piece.nodes, &piece.rows, t, &mut values);
         }
         if self.rigid
             && let Some(first) = values.first_mut()
@@ -107,8 +145,8 @@ impl Curves {
         values.into_iter().map(|value| value.max(0.0)).collect()
     }
 
-    fn piece(&self, speed_squared: f64) -> Option<&Piece> {
-        let index = self.pieces.partition_point(|piece| piece.end() < speed_squared);
+    fn piece(&self, t: f64) -> Option<&Piece> {
+        let index = self.pieces.partition_point(|piece| piece.end() < t);
         self.pieces.get(index).or(self.pieces.last())
     }
 
@@ -120,18 +158,21 @@ impl Curves {
     /// Value and slope of every branch.
     pub(super) fn points(&self, speed_squared: f64) -> Vec<Point> {
         let (mut values, mut derivatives) = (vec![0.0; self.branches], vec![0.0; self.branches]);
-        if let Some(piece) = self.piece(speed_squared) {
-            interpolate(&piece.nodes, &piece.rows, speed_squared, &mut values);
-            slopes(&piece.nodes, &piece.rows, speed_squared, &mut derivatives);
+        let t = self.scale.at(speed_squared);
+        if let Some(piece) = self.piece(t) {
+            interpolate(&piece.nodes, &piece.rows, t, &mut values);
+            slopes(&piece.nodes, &piece.rows, t, &mut derivatives);
         }
-        values.into_iter().zip(derivatives).map(|(value, slope)| Point { value, slope }).collect()
+        let rate = 1.0 / (speed_squared + self.scale.bend);
+        values.into_iter().zip(derivatives).map(|(value, slope)| Point { value, slope: slope * rate }).collect()
     }
 
-    /// The nodes of all pieces, ascending: between two of them a branch is smooth.
+    /// Ω² at the nodes of all pieces, ascending: between two of them a branch is smooth.
     pub(super) fn nodes(&self) -> Vec<f64> {
-        let mut nodes: Vec<f64> = self.pieces.iter().flat_map(|piece| piece.nodes.iter().copied()).collect();
-        nodes.dedup();
-        nodes
+        let nodes = self.pieces.iter().flat_map(|piece| &piece.nodes);
+        let mut squares: Vec<f64> = nodes.map(|&t| self.scale.speed_squared(t)).collect();
+        squares.dedup();
+        squares
     }
 }
 
@@ -152,13 +193,13 @@ impl Piece {
         let mut rows = Vec::with_capacity(degree + 1);
         let mut worst = 0.0_f64;
         for index in 0..=degree {
-            let s = node(from, to, degree, index);
-            nodes.push(s);
+            let t = node(from, to, degree, index);
+            nodes.push(t);
             if index % 2 == 0 {
                 rows.push(self.rows[index / 2].clone());
             } else {
-                let exact = row(s)?;
-                worst = worst.max(self.difference(s, &exact));
+                let exact = row(t)?;
+                worst = worst.max(self.difference(t, &exact));
                 rows.push(exact);
             }
         }
@@ -169,30 +210,28 @@ impl Piece {
     /// The largest relative error at the check points.
     fn error(&self, from: f64, to: f64, row: impl Fn(f64) -> Result<Vec<f64>, SolveError>) -> Result<f64, SolveError> {
         CHECKS.iter().try_fold(0.0_f64, |worst, share| {
-            let s = from + share * (to - from);
-            Ok(worst.max(self.difference(s, &row(s)?)))
+            let t = from + share * (to - from);
+            Ok(worst.max(self.difference(t, &row(t)?)))
         })
     }
 
-    fn difference(&self, s: f64, exact: &[f64]) -> f64 {
+    fn difference(&self, t: f64, exact: &[f64]) -> f64 {
         let mut values = vec![0.0; exact.len()];
-        interpolate(&self.nodes, &self.rows, s, &mut values);
+        interpolate(&self.nodes, &self.rows, t, &mut values);
         values.iter().zip(exact).filter(|(_, e)| **e > 0.0).map(|(v, e)| (v / e - 1.0).abs()).fold(0.0, f64::max)
     }
 }
 
 /// What is interpolated: every λ at Ω² = `s`, the rigid branch's divided by Ω². At rest that ratio
 /// is dλ/dΩ², the Southwell coefficient.
-fn row(matrices: &SystemMatrices, s: f64, count: usize, rigid: bool) -> Result<Vec<f64>, SolveError> {
-    if rigid && s <= 0.0 {
-        let modes = solve(matrices, s, count)?;
-        return Ok(modes
-            .iter()
-            .enumerate()
-            .map(|(index, mode)| if index == 0 { mode.southwell.max(0.0) } else { mode.eigenvalue })
-            .collect());
+fn row(matrices: &SystemMatrices, at_rest: &[Mode], s: f64, rigid: bool) -> Result<Vec<f64>, SolveError> {
+    if s <= 0.0 {
+        let value = |(index, mode): (usize, &Mode)| {
+            if rigid && index == 0 { mode.southwell.max(0.0) } else { mode.eigenvalue }
+        };
+        return Ok(at_rest.iter().enumerate().map(value).collect());
     }
-    let mut values = eigenvalues(matrices, s, count)?;
+    let mut values = eigenvalues(matrices, s, at_rest.len())?;
     if let Some(first) = values.first_mut().filter(|_| rigid) {
         // 0 at every speed where nothing pulls, else dλ/dΩ² at small ones.
         *first /= s;

@@ -60,3 +60,13 @@ pub fn pow(x: f64, y: f64) -> f64 {
 pub fn ln(x: f64) -> f64 {
     libm::log(x)
 }
+
+/// ln(1 + x).
+pub fn ln_1p(x: f64) -> f64 {
+    libm::log1p(x)
+}
+
+/// eˣ − 1.
+pub fn exp_m1(x: f64) -> f64 {
+    libm::expm1(x)
+}
