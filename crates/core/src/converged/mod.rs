@@ -122,8 +122,8 @@ impl Converged {
         let mut space = Space::new(&elements, start);
         space.push_turned_root(&chain, start);
         // One degree above the rigid motion, so that no symmetry hides a mode from it.
-        let x: Vec<f64> = elements.grid.x().collect();
-        space.push_start(&chain, |k| if elements.torsion { x[k] } else { x[k] * x[k] });
+        let start: Vec<f64> = elements.grid().x().map(|x| if elements.torsion { x } else { x * x }).collect();
+        space.push_start(&chain, &start);
         // Fewer for a range: its ends give theirs, too.
         let wanted = if range { 2 * count } else { 2 * count + 2 };
         let mut next = 0;
@@ -131,7 +131,7 @@ impl Converged {
             space.push_next(&chain, next);
             next += 1;
         }
-        let from_tip = FromTip::new(&elements.grid, rules);
+        let from_tip = FromTip::new(elements.fine_grid(), rules);
         let (mut settled, mut last) = (SETTLED, f64::INFINITY);
         loop {
             for (index, share) in anchors.iter().enumerate() {
@@ -147,7 +147,7 @@ impl Converged {
             }
             let found = Reduced::new(&elements, &space, anchors.iter().map(|share| at(*share)), count)?;
             let mut error = 0.0_f64;
-            let mut shares = vec![0.0; elements.grid.cells().len()];
+            let mut shares = vec![0.0; elements.mesh.orders().len()];
             for share in if range { &CHECKS[..] } else { &CHECKS[..1] } {
                 error = error.max(found.check(&elements, at(*share), count, &from_tip, &mut shares)?);
             }
@@ -184,7 +184,7 @@ impl Converged {
 
     /// The points at which [`fields`](Self::fields) stand.
     pub fn grid(&self) -> &Grid {
-        &self.elements.grid
+        self.elements.fine_grid()
     }
 
     /// What sums of the functions that came out (columns of `coordinates`) do along the span.
@@ -240,7 +240,7 @@ impl Reduced {
         if rigid == 1 {
             all[(0, 0)] = 1.0;
         }
-        let matrices = assemble(&elements.grid, space.energies(), rigid == 1).reduced(&all);
+        let matrices = assemble(elements.grid(), space.energies(), rigid == 1).reduced(&all);
         Ok(Self { coefficients: space.coefficients(&clamped), matrices })
     }
 
@@ -254,7 +254,7 @@ impl Reduced {
         from_tip: &FromTip,
         shares: &mut [f64],
     ) -> Result<f64, EigenError> {
-        let grid = &elements.grid;
+        let grid = elements.fine_grid();
         let shift = if grid.dof() == Dof::Lag { s } else { 0.0 };
         let g = self.matrices.stiffness() + self.matrices.centrifugal() * s + self.matrices.mass() * shift;
         let found = lowest(&g, self.matrices.mass(), count)?;
@@ -277,7 +277,7 @@ impl Reduced {
     /// What sums of the functions that came out (columns of `coordinates`) do along the span.
     fn fields(&self, elements: &Elements, coordinates: &DMatrix<f64>) -> Fields {
         let rigid = usize::from(elements.root_turns());
-        let points = elements.grid.len();
+        let points = elements.fine_grid().len();
         let n = coordinates.ncols();
         let mut fields = Fields {
             motion: DMatrix::zeros(points, n),
@@ -285,10 +285,10 @@ impl Reduced {
             strain: DMatrix::zeros(points, n),
             root_turn: vec![0.0; n],
         };
-        let rigid_motion = elements.grid.rigid_motion();
+        let rigid_motion = elements.fine_grid().rigid_motion();
         for (column, q) in coordinates.column_iter().enumerate() {
             let sum = &self.coefficients * q.rows(rigid, q.nrows() - rigid);
-            let vector = elements.vector(sum.as_slice().to_vec());
+            let vector = elements.fields(sum.as_slice());
             let root_turn = if rigid == 1 { q[0] } else { 0.0 };
             fields.root_turn[column] = root_turn;
             let at = column * points..(column + 1) * points;

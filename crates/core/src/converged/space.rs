@@ -1,6 +1,6 @@
 //! The part of all piecewise functions in which the lowest modes lie, grown by inverse iteration.
 
-use super::elements::{Elements, Vector};
+use super::elements::Elements;
 use crate::blade::RootCondition;
 use crate::lagrange::{Energies, dot};
 use crate::numerics::chain::Chain;
@@ -21,57 +21,60 @@ pub(super) struct Space<'a> {
     elements: &'a Elements,
     /// Ω² of the first anchor.
     anchor: f64,
-    rigid: Option<Vec<f64>>,
-    functions: Vec<Vector>,
-    /// Fields times their weights, of every function.
-    weighted: Vec<Vector>,
+    /// 1 where the first function is the rigid motion, else 0.
+    rigid: usize,
+    functions: Vec<Function>,
     /// Rows of the lower triangles: strain, pull per Ω², inertia.
     strain: Vec<Vec<f64>>,
     pull: Vec<Vec<f64>>,
     inertia: Vec<Vec<f64>>,
     /// Orthonormal in the inertia: what is iterated.
-    members: Vec<Member>,
-    /// Quadrature weights times inertia, stiffness and pull.
+    members: Vec<Motion>,
+    /// Quadrature weights times inertia.
     masses: Vec<f64>,
-    rigidities: Vec<f64>,
-    pulls: Vec<f64>,
 }
 
-/// A vector of the iteration with its rigid part.
-struct Member {
-    turn: f64,
+/// One function of the space.
+struct Function {
+    /// Strain coefficients; none but 0 in the rigid motion.
     coefficients: Vec<f64>,
-    motion: Vec<f64>,
-    /// Motion times inertia and weight.
+    motion: Motion,
+    /// Derivatives of the strain energy and, per Ω², of the pull energy by the coefficients.
+    strain: Vec<f64>,
+    pull: Vec<f64>,
+    /// The same of the potential energy at the first anchor.
+    potential: Vec<f64>,
+}
+
+/// A motion at the points of the grid, and that times inertia and weight.
+struct Motion {
+    values: Vec<f64>,
     weighted: Vec<f64>,
 }
 
 impl<'a> Space<'a> {
     pub(super) fn new(elements: &'a Elements, anchor: f64) -> Self {
-        let grid = &elements.grid;
+        let grid = elements.grid();
         let mut space = Self {
             elements,
             anchor,
-            rigid: elements.root_turns().then(|| elements.grid.rigid_motion()),
+            rigid: usize::from(elements.root_turns()),
             functions: Vec::new(),
-            weighted: Vec::new(),
             strain: Vec::new(),
             pull: Vec::new(),
             inertia: Vec::new(),
             members: Vec::new(),
             masses: grid.weighted(grid.inertia()).collect(),
-            rigidities: grid.weighted(grid.stiffness()).collect(),
-            pulls: grid.weighted(grid.pull()).collect(),
         };
-        if let Some(rigid) = &space.rigid {
-            let points = grid.len();
-            let vector = Vector {
-                coefficients: vec![0.0; elements.mesh.count()],
-                motion: rigid.clone(),
-                turn: vec![1.0; points],
-                strain: vec![0.0; points],
-            };
-            space.add(vector);
+        if elements.root_turns() {
+            let motion = Motion::new(grid.rigid_motion(), &space.masses);
+            let (pull, own) = elements.pull_on_turn();
+            space.strain.push(vec![0.0]);
+            space.pull.push(vec![own]);
+            space.inertia.push(vec![dot(&motion.weighted, &motion.values)]);
+            let none = vec![0.0; pull.len()];
+            let (strain, potential) = (none.clone(), none.clone());
+            space.functions.push(Function { coefficients: none, motion, strain, pull, potential });
         }
         space
     }
@@ -88,124 +91,95 @@ impl<'a> Space<'a> {
 
     /// Adds the static shape of a turned root, to be iterated.
     pub(super) fn push_turned_root(&mut self, chain: &Chain, speed_squared: f64) {
-        if self.elements.root_turns() {
+        if let Some(rigid) = self.functions.first().filter(|_| self.rigid == 1) {
             let response = self.elements.response_to_turn(chain, speed_squared);
-            self.push_member(1.0, response);
+            let mut motion = self.elements.motion(&response);
+            subtract(&mut motion, -1.0, &rigid.motion.values);
+            self.push_member(motion, response);
         }
     }
 
     /// Adds the response to the inertia of a motion, to be iterated.
-    pub(super) fn push_start(&mut self, chain: &Chain, motion: impl Fn(usize) -> f64) -> bool {
+    pub(super) fn push_start(&mut self, chain: &Chain, motion: &[f64]) {
         let response = self.elements.response_to_inertia(chain, motion);
-        self.push_member(0.0, response)
+        self.push_member(self.elements.motion(&response), response);
     }
 
-    /// Adds the response to the inertia of a member, to be iterated; false where it is nothing new.
-    pub(super) fn push_next(&mut self, chain: &Chain, member: usize) -> bool {
-        let response = self.elements.response_to_inertia(chain, |k| self.members[member].motion[k]);
-        self.push_member(0.0, response)
+    /// Adds the response to the inertia of a member, to be iterated.
+    pub(super) fn push_next(&mut self, chain: &Chain, member: usize) {
+        let response = self.elements.response_to_inertia(chain, &self.members[member].values);
+        self.push_member(self.elements.motion(&response), response);
     }
 
     /// Adds the response to the inertia of a motion; returns the share of it that was new.
     pub(super) fn push_response(&mut self, chain: &Chain, motion: &[f64]) -> f64 {
-        let response = self.elements.response_to_inertia(chain, |k| motion[k]);
+        let response = self.elements.response_to_inertia(chain, motion);
         self.push(response)
     }
 
-    /// Adds a vector to be iterated, less what the members have of it, and its clamped part.
-    fn push_member(&mut self, turn: f64, vector: Vector) -> bool {
-        let mut member =
-            Member { turn, coefficients: vector.coefficients, motion: vector.motion, weighted: Vec::new() };
-        if let Some(rigid) = self.rigid.as_ref().filter(|_| turn != 0.0) {
-            subtract(&mut member.motion, -turn, rigid);
-        }
-        let square = |motion: &[f64]| -> f64 { self.masses.iter().zip(motion).map(|(m, u)| m * u * u).sum() };
-        let before = sqrt(square(&member.motion));
+    /// Adds a motion to be iterated, less what the members have of it, and its clamped part; neither
+    /// where it is nothing new.
+    fn push_member(&mut self, mut motion: Vec<f64>, coefficients: Vec<f64>) {
+        let length = |motion: &[f64]| sqrt(self.masses.iter().zip(motion).map(|(m, u)| m * u * u).sum());
+        let before = length(&motion);
         for known in &self.members {
-            let along = dot(&known.weighted, &member.motion);
-            subtract(&mut member.motion, along, &known.motion);
-            subtract(&mut member.coefficients, along, &known.coefficients);
-            member.turn -= along * known.turn;
+            let along = dot(&known.weighted, &motion);
+            subtract(&mut motion, along, &known.values);
         }
-        let after = sqrt(square(&member.motion));
-        if !(after > NOTHING_NEW * before && after.is_finite()) {
-            return false;
+        let after = length(&motion);
+        if after > NOTHING_NEW * before && after.is_finite() {
+            scale(&mut motion, 1.0 / after);
+            self.members.push(Motion::new(motion, &self.masses));
+            self.push(coefficients);
         }
-        let scale = 1.0 / after;
-        for list in [&mut member.motion, &mut member.coefficients] {
-            scaled(list, scale);
-        }
-        member.turn *= scale;
-        member.weighted = self.masses.iter().zip(&member.motion).map(|(m, u)| m * u).collect();
-        let vector = self.elements.vector(member.coefficients.clone());
-        self.members.push(member);
-        self.push(vector);
-        true
     }
 
     /// Adds a clamped function, less what the others have of it; returns the share that was new, 0
     /// where it was too little to add.
-    fn push(&mut self, mut vector: Vector) -> f64 {
-        let first = usize::from(self.rigid.is_some());
-        let given = self.length(&vector);
-        let mut before = given;
-        for pass in 0..2 {
-            for (known, weighted) in self.functions.iter().zip(&self.weighted).skip(first) {
-                let along = dot(&weighted.strain, &vector.strain) + self.anchor * dot(&weighted.turn, &vector.turn);
-                subtract(&mut vector.coefficients, along, &known.coefficients);
-                subtract(&mut vector.strain, along, &known.strain);
-                subtract(&mut vector.turn, along, &known.turn);
-                subtract(&mut vector.motion, along, &known.motion);
+    fn push(&mut self, mut coefficients: Vec<f64>) -> f64 {
+        let mut share = 1.0;
+        loop {
+            let mut taken = 0.0;
+            for known in &self.functions[self.rigid..] {
+                let along = dot(&known.potential, &coefficients);
+                subtract(&mut coefficients, along, &known.coefficients);
+                taken += along * along;
             }
-            let after = self.length(&vector);
-            if after <= ONCE_MORE * before {
-                // So much has cancelled that the fields are no longer those of the coefficients.
-                vector = self.elements.vector(vector.coefficients);
-            }
-            if !(after > NOTHING_NEW * before && after.is_finite()) {
+            let strain = self.elements.strain_gradient(&coefficients);
+            let pull = self.elements.pull_gradient(&coefficients);
+            let left = dot(&strain, &coefficients) + self.anchor * dot(&pull, &coefficients);
+            let kept = sqrt(left / (left + taken));
+            share *= kept;
+            if !(kept > NOTHING_NEW && left.is_finite()) || share <= NOTHING_NEW {
                 return 0.0;
             }
-            if after > ONCE_MORE * before || pass == 1 {
-                before = after;
-                break;
+            if kept > ONCE_MORE {
+                self.add(coefficients, strain, pull, 1.0 / sqrt(left));
+                return share;
             }
         }
-        let scale = 1.0 / before;
-        for list in [&mut vector.coefficients, &mut vector.motion, &mut vector.turn, &mut vector.strain] {
-            scaled(list, scale);
+    }
+
+    /// Adds a clamped function times a factor.
+    fn add(&mut self, mut coefficients: Vec<f64>, mut strain: Vec<f64>, mut pull: Vec<f64>, factor: f64) {
+        for list in [&mut coefficients, &mut strain, &mut pull] {
+            scale(list, factor);
         }
-        self.add(vector);
-        before / given
-    }
-
-    /// The length in the clamped potential energy at the first anchor.
-    fn length(&self, vector: &Vector) -> f64 {
-        let square =
-            |weights: &[f64], values: &[f64]| -> f64 { weights.iter().zip(values).map(|(w, v)| w * v * v).sum() };
-        sqrt(square(&self.rigidities, &vector.strain) + self.anchor * square(&self.pulls, &vector.turn))
-    }
-
-    fn add(&mut self, vector: Vector) {
-        let times =
-            |weights: &[f64], values: &[f64]| -> Vec<f64> { weights.iter().zip(values).map(|(w, v)| w * v).collect() };
-        let weighted = Vector {
-            coefficients: Vec::new(),
-            motion: times(&self.masses, &vector.motion),
-            turn: times(&self.pulls, &vector.turn),
-            strain: times(&self.rigidities, &vector.strain),
-        };
-        self.functions.push(vector);
-        self.strain.push(self.functions.iter().map(|f| dot(&weighted.strain, &f.strain)).collect());
-        self.pull.push(self.functions.iter().map(|f| dot(&weighted.turn, &f.turn)).collect());
-        self.inertia.push(self.functions.iter().map(|f| dot(&weighted.motion, &f.motion)).collect());
-        self.weighted.push(weighted);
+        let potential = strain.iter().zip(&pull).map(|(strain, pull)| strain + self.anchor * pull).collect();
+        let motion = Motion::new(self.elements.motion(&coefficients), &self.masses);
+        self.functions.push(Function { coefficients, motion, strain, pull, potential });
+        let Some(new) = self.functions.last() else { return };
+        let row = |of: &dyn Fn(&Function) -> f64| self.functions.iter().map(of).collect();
+        self.strain.push(row(&|f| dot(&f.strain, &new.coefficients)));
+        self.pull.push(row(&|f| dot(&f.pull, &new.coefficients)));
+        self.inertia.push(row(&|f| dot(&f.motion.weighted, &new.motion.values)));
     }
 
     /// The `count` lowest modes within the space; in lag those of the flap-type problem.
     pub(super) fn ritz(&self, speed_squared: f64, count: usize) -> Result<Eigen, EigenError> {
         let mut g = symmetric(&self.strain) + symmetric(&self.pull) * speed_squared;
         let m = symmetric(&self.inertia);
-        if let RootCondition::Spring(spring) = self.elements.grid.condition() {
+        if let RootCondition::Spring(spring) = self.elements.grid().condition() {
             g[(0, 0)] += spring;
         }
         lowest(&g, &m, count)
@@ -213,9 +187,9 @@ impl<'a> Space<'a> {
 
     /// The motion of a sum of the functions at the points of the grid.
     pub(super) fn motion(&self, coordinates: &[f64]) -> Vec<f64> {
-        let mut motion = vec![0.0; self.elements.grid.len()];
+        let mut motion = vec![0.0; self.elements.grid().len()];
         for (function, factor) in self.functions.iter().zip(coordinates) {
-            subtract(&mut motion, -factor, &function.motion);
+            subtract(&mut motion, -factor, &function.motion.values);
         }
         motion
     }
@@ -223,23 +197,28 @@ impl<'a> Space<'a> {
     /// Energies of all functions.
     pub(super) fn energies(&self) -> Energies {
         let mut root_turn = vec![0.0; self.len()];
-        if self.rigid.is_some() {
-            root_turn[0] = 1.0;
-        }
+        root_turn[..self.rigid].fill(1.0);
         Energies {
             inertia: symmetric(&self.inertia),
             strain: symmetric(&self.strain),
             pull: symmetric(&self.pull),
-            first_moment: self.weighted.iter().map(|f| f.motion.iter().sum()).collect(),
+            first_moment: self.functions.iter().map(|f| f.motion.weighted.iter().sum()).collect(),
             root_turn,
         }
     }
 
     /// Strain coefficients of sums of the clamped functions, one column of `coordinates` per sum.
     pub(super) fn coefficients(&self, coordinates: &DMatrix<f64>) -> DMatrix<f64> {
-        let elastic = &self.functions[usize::from(self.rigid.is_some())..];
+        let elastic = &self.functions[self.rigid..];
         let columns: Vec<f64> = elastic.iter().flat_map(|f| f.coefficients.iter().copied()).collect();
         DMatrix::from_vec(self.elements.mesh.count(), elastic.len(), columns) * coordinates
+    }
+}
+
+impl Motion {
+    fn new(values: Vec<f64>, masses: &[f64]) -> Self {
+        let weighted = masses.iter().zip(&values).map(|(m, u)| m * u).collect();
+        Self { values, weighted }
     }
 }
 
@@ -248,7 +227,7 @@ fn symmetric(rows: &[Vec<f64>]) -> DMatrix<f64> {
     DMatrix::from_fn(rows.len(), rows.len(), |i, j| rows[i.max(j)][i.min(j)])
 }
 
-fn scaled(values: &mut [f64], factor: f64) {
+fn scale(values: &mut [f64], factor: f64) {
     for value in values {
         *value *= factor;
     }
