@@ -55,7 +55,8 @@ for (const entry of blades) {
         const file = join(folder, `${name}-${kind}-${theme}.svg`);
         const { status, stderr } = run(kind, name, "--svg", file, "--theme", theme);
         assert.equal(status, 0, stderr);
-        const { svg } = value(pkg.chart_svg(kind, blade, { theme }));
+        const { svg, report } = value(pkg.chart_svg(kind, blade, { theme }));
+        same(report, value(pkg[kind](blade, {})));
         assert.ok(svg === readFileSync(file, "utf8"), "the two SVG texts differ");
         assert.ok(svg.length > 5_000, "there is hardly anything in the drawing");
       });

@@ -12,9 +12,9 @@ mod tree;
 
 use crate::options::Analysis;
 use crate::reply::reply;
-use bladefan_core::analysis;
+use bladefan_core::analysis::{self, ConvergeReport, FanChart, ShapesReport};
 use bladefan_core::blade::Blade;
-use bladefan_core::chart::{self, FrequencyUnit};
+use bladefan_core::chart::{self, Drawing, FrequencyUnit};
 use bladefan_core::fault::{Fault, FaultCode};
 use bladefan_core::file::{self, BladeFile, Format};
 use bladefan_core::units::SpeedUnit;
@@ -24,6 +24,23 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("types.ts");
+
+/// A drawing and what it shows, so that a page that draws need not solve again.
+#[derive(Serialize)]
+struct Drawn {
+    #[serde(flatten)]
+    drawing: Drawing,
+    report: Report,
+}
+
+/// The result behind a drawing.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Report {
+    Fan(FanChart),
+    Shapes(ShapesReport),
+    Converge(ConvergeReport),
+}
 
 /// What every export gives: a tagged object, or an exception by a mistake of ours.
 type Answer = Result<JsValue, JsError>;
@@ -91,8 +108,8 @@ pub fn check(#[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue) ->
     solve(blade, Ok(()), |blade, ()| Ok(analysis::summary(blade)))
 }
 
-/// Draws a chart: its SVG text, size and plot areas.
-#[wasm_bindgen(unchecked_return_type = "Reply<Drawing>")]
+/// Draws a chart: its SVG text, size and plot areas, and the result that was drawn.
+#[wasm_bindgen(unchecked_return_type = "Reply<Drawing<ChartReport>>")]
 pub fn chart_svg(
     #[wasm_bindgen(unchecked_param_type = "ChartKind")] kind: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
@@ -105,9 +122,18 @@ pub fn chart_svg(
     solve(blade, options::settings_and_looks(options, analysis), |blade, (settings, looks)| {
         let looks = looks.chart_options(settings);
         Ok(match analysis {
-            Analysis::Shapes => chart::shapes(&analysis::shapes(blade, settings)?, &looks),
-            Analysis::Converge => chart::converge(&analysis::converge(blade, settings)?, &looks),
-            _ => chart::fan(&analysis::fan(blade, settings)?, &looks),
+            Analysis::Shapes => {
+                let report = analysis::shapes(blade, settings)?;
+                Drawn { drawing: chart::shapes(&report, &looks), report: Report::Shapes(report) }
+            }
+            Analysis::Converge => {
+                let report = analysis::converge(blade, settings)?;
+                Drawn { drawing: chart::converge(&report, &looks), report: Report::Converge(report) }
+            }
+            _ => {
+                let report = analysis::fan(blade, settings)?;
+                Drawn { drawing: chart::fan(&report, &looks), report: Report::Fan(report) }
+            }
         })
     })
 }

@@ -218,11 +218,16 @@ export interface BladeSummary {
   warnings: Warning[];
 }
 
-export interface Drawing {
+/** What a chart may show; `schema` tells which. */
+export type ChartReport = FanChart | ShapesReport | ConvergeReport;
+
+export interface Drawing<Report extends ChartReport = ChartReport> {
   svg: string;
   width: number;
   height: number;
   plots: PlotArea[];
+  /** What is drawn: the value that `fan`, `shapes` or `converge` gives for the same options. */
+  report: Report;
 }
 /** Where a frame stands in its drawing, in units of the viewBox, y downwards. */
 export interface PlotArea {

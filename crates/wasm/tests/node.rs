@@ -156,6 +156,7 @@ fn a_drawing_has_text_size_and_plot_areas() {
         assert_eq!(number(&drawing, "width"), 640.0);
         assert_eq!(length(&drawing, "plots"), plots, "{kind}");
         assert!(number(&drawing, "plots.0.x.to") > number(&drawing, "plots.0.x.from"));
+        assert_eq!(text(&drawing, "report.schema"), format!("bladefan-{kind}/1"));
     }
     let points = js("({ measured: 'label,speed [rpm],frequency [Hz],source\\n1F,660,11.5,wind tunnel\\n' })");
     assert!(text(&value(chart_svg(&"fan".into(), &blade(), &points)), "svg").contains("wind tunnel"));
