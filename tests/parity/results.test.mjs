@@ -1,7 +1,7 @@
 // Native and wasm results are the same to the last bit, for every built-in blade.
 
 import assert from "node:assert/strict";
-import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
@@ -63,6 +63,18 @@ for (const entry of blades) {
     }
   }
 }
+
+test("a blade that is written reads back the same", () => {
+  for (const { name, blade } of blades) {
+    for (const format of ["toml", "json"]) {
+      const written = value(pkg.write_blade(blade, format));
+      same(value(pkg.parse_blade(written, format)), blade);
+      const file = join(folder, `${name}.${format}`);
+      writeFileSync(file, written);
+      same(json("modes", file), json("modes", name));
+    }
+  }
+});
 
 test("numbers, texts and lists of options mean the same", () => {
   const { blade } = blades[0];

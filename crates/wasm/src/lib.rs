@@ -55,6 +55,21 @@ pub fn parse_blade(
     reply(read_text(text, format).map(|file| (file.definition, file.blade.warnings().to_vec())))
 }
 
+/// The text of a blade file in TOML or JSON, which `parse_blade` reads back the same.
+#[wasm_bindgen(unchecked_return_type = "Reply<string>")]
+pub fn write_blade(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "\"toml\" | \"json\"")] format: &JsValue,
+) -> Answer {
+    let format = known_format(format).and_then(|format| format.ok_or_else(|| unknown_format(None)));
+    with(blade, format, |file, format| {
+        Ok(match format {
+            Format::Toml => file::to_toml(&file.definition),
+            Format::Json => file::to_json(&file.definition),
+        })
+    })
+}
+
 /// Frequencies of every degree of freedom at one rotor speed.
 #[wasm_bindgen(unchecked_return_type = "Reply<ModesReport>")]
 pub fn modes(
@@ -199,27 +214,43 @@ fn solve<S, R: Serialize>(
     settings: Result<S, Vec<Fault>>,
     solve: impl FnOnce(&Blade, &S) -> Result<R, Vec<Fault>>,
 ) -> Answer {
-    let blade = tree::tree(blade).map_err(|fault| vec![fault]).and_then(|tree| file::read_tree(&tree));
-    reply(match (blade, settings) {
-        (Ok(BladeFile { blade, .. }), Ok(settings)) => {
-            solve(&blade, &settings).map(|result| (result, blade.warnings().to_vec()))
+    with(blade, settings, |file, settings| solve(&file.blade, settings))
+}
+
+/// The same with the blade as given and as checked.
+fn with<S, R: Serialize>(
+    blade: &JsValue,
+    settings: Result<S, Vec<Fault>>,
+    answer: impl FnOnce(&BladeFile, &S) -> Result<R, Vec<Fault>>,
+) -> Answer {
+    let file = tree::tree(blade).map_err(|fault| vec![fault]).and_then(|tree| file::read_tree(&tree));
+    reply(match (file, settings) {
+        (Ok(file), Ok(settings)) => {
+            answer(&file, &settings).map(|result| (result, file.blade.warnings().to_vec()))
         }
-        (blade, settings) => Err([blade.err(), settings.err()].into_iter().flatten().flatten().collect()),
+        (file, settings) => Err([file.err(), settings.err()].into_iter().flatten().flatten().collect()),
     })
 }
 
 fn read_text(text: &JsValue, format: &JsValue) -> Result<BladeFile, Vec<Fault>> {
     let text = string(text, "text")?;
-    let format = match format.as_string().as_deref() {
-        Some("toml") => Format::Toml,
-        Some("json") => Format::Json,
-        None if format.is_undefined() || format.is_null() => Format::of_text(&text),
-        other => {
-            let rule = "must be toml or json";
-            return Err(vec![Fault::new(FaultCode::UnknownChoice, "format", other.map(String::from), rule, rule)]);
-        }
-    };
+    let format = known_format(format)?.unwrap_or_else(|| Format::of_text(&text));
     file::read(&text, format)
+}
+
+/// A format by name; none where it is not given.
+fn known_format(format: &JsValue) -> Result<Option<Format>, Vec<Fault>> {
+    match format.as_string().as_deref() {
+        Some("toml") => Ok(Some(Format::Toml)),
+        Some("json") => Ok(Some(Format::Json)),
+        None if format.is_undefined() || format.is_null() => Ok(None),
+        other => Err(unknown_format(other)),
+    }
+}
+
+fn unknown_format(given: Option<&str>) -> Vec<Fault> {
+    let rule = "must be toml or json";
+    vec![Fault::new(FaultCode::UnknownChoice, "format", given.map(String::from), rule, rule)]
 }
 
 fn string(value: &JsValue, name: &str) -> Result<String, Vec<Fault>> {

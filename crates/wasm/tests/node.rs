@@ -7,7 +7,8 @@
 #![allow(missing_docs, reason = "tests say it by their names")]
 
 use bladefan_wasm::{
-    about, built_in_blades, chart_svg, check, converge, fan, margins, measured, modes, parse_blade, shapes, version,
+    about, built_in_blades, chart_svg, check, converge, fan, margins, measured, modes, parse_blade, shapes,
+    version, write_blade,
 };
 use js_sys::{Array, Function, JSON, Object, Reflect};
 use wasm_bindgen::prelude::*;
@@ -74,7 +75,7 @@ fn blade() -> JsValue {
 }
 
 /// Every export that takes a blade and options.
-const SOLVERS: [(&str, Solver); 7] = [
+const SOLVERS: [(&str, Solver); 8] = [
     ("modes", modes),
     ("margins", margins),
     ("fan", fan),
@@ -82,6 +83,7 @@ const SOLVERS: [(&str, Solver); 7] = [
     ("converge", converge),
     ("chart_svg", |blade, options| chart_svg(&"fan".into(), blade, options)),
     ("check", |blade, _| check(blade)),
+    ("write_blade", |blade, _| write_blade(blade, &"toml".into())),
 ];
 
 /// Values that are no blade and no options object.
@@ -194,7 +196,7 @@ fn no_blade_and_strange_blades_are_faults() {
 #[wasm_bindgen_test]
 fn strange_options_are_faults() {
     let blade = blade();
-    for (name, call) in SOLVERS.into_iter().filter(|(name, _)| *name != "check") {
+    for (name, call) in SOLVERS.into_iter().filter(|(name, _)| !["check", "write_blade"].contains(name)) {
         for source in STRANGE {
             assert!(!faults(call(&blade, &js(source))).is_empty(), "{name} with {source}");
         }
@@ -286,6 +288,11 @@ fn text_that_is_no_text_is_a_fault() {
         let given = faults(parse_blade(&blade_text(0), &js(source)));
         assert!(given[0].starts_with("unknown-choice format: "), "{given:?}");
     }
+    for source in ["'yaml'", "5", "undefined"] {
+        let given = faults(write_blade(&blade(), &js(source)));
+        assert_eq!(given, ["unknown-choice format: must be toml or json"]);
+    }
+    assert!(faults(write_blade(&js("({})"), &js("'yaml'"))).len() > 5, "faults of both come together");
 }
 
 #[wasm_bindgen_test]
