@@ -127,8 +127,12 @@ export interface Mode {
   number: number;
   frequency_rad_s: number;
   frequency_hz: number;
-  /** Null at rest. */
+  /** Null at rest, as are the next two. */
   per_rev: number | null;
+  /** Integer nearest to `per_rev`, at least 1. */
+  nearest_harmonic: number | null;
+  /** `per_rev` less `nearest_harmonic`. */
+  margin_per_rev: number | null;
   /** The frequency lies between these bounds. */
   lower_rad_s: number | null;
   upper_rad_s: number | null;

@@ -117,6 +117,8 @@ fn a_result_is_a_plain_object() {
     // Absent values are null, not undefined, and lists of pairs are objects, not maps.
     let at_rest = value(modes(&blade(), &js("({ speed: 0 })")));
     assert!(get(&at_rest, "modes.0.per_rev").is_null());
+    assert!(get(&at_rest, "modes.0.nearest_harmonic").is_null());
+    assert_eq!(number(&report, "modes.0.nearest_harmonic"), 1.0);
     let again = JSON::parse(&String::from(JSON::stringify(&report).unwrap())).unwrap();
     assert_eq!(JSON::stringify(&again).unwrap(), JSON::stringify(&report).unwrap());
 }

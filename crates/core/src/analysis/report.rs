@@ -64,6 +64,10 @@ report! {
         frequency_hz: f64,
         /// The same per revolution; `None` at rest.
         per_rev: Option<f64>,
+        /// Integer nearest to `per_rev`, at least 1; `None` at rest.
+        nearest_harmonic: Option<u32>,
+        /// `per_rev` less `nearest_harmonic`; `None` at rest.
+        margin_per_rev: Option<f64>,
         /// Lower bound, where known.
         lower_rad_s: Option<f64>,
         /// Upper bound, where known.
