@@ -64,6 +64,20 @@ for (const entry of blades) {
   }
 }
 
+test("measured points are compared alike", () => {
+  const csv = "label,speed [rpm],frequency [Hz],source\n1F,660,11.5,test\n3T,330,470,test\n2F,0,0,test\n9L,10,5,other\n";
+  const file = join(folder, "measured.csv");
+  writeFileSync(file, csv);
+  for (const { name, blade } of blades) {
+    for (const basis of ["piecewise", "classical"]) {
+      const compared = value(pkg.compare(blade, csv, { basis }));
+      same(json("fan", name, "--measured", file, "--basis", basis).measured, compared);
+      assert.deepEqual(compared.map((point) => point.computed_rad_s === null), [false, false, false, true]);
+      assert.deepEqual(compared.map((point) => point.error_percent === null), [false, false, true, true]);
+    }
+  }
+});
+
 test("a blade that is written reads back the same", () => {
   for (const { name, blade } of blades) {
     for (const format of ["toml", "json"]) {

@@ -159,6 +159,22 @@ pub fn measured(#[wasm_bindgen(unchecked_param_type = "string")] text: &JsValue)
     reply(string(text, "text").and_then(|text| file::measured::read(&text)).map(|points| (points, Vec::new())))
 }
 
+/// Sets measured points (CSV as `measured` reads it) beside the solver's answer: the frequency of each
+/// point's branch at its own rotor speed.
+#[wasm_bindgen(unchecked_return_type = "Reply<ComparedPoint[]>")]
+pub fn compare(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "string")] csv: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "CompareOptions")] options: &JsValue,
+) -> Answer {
+    let points = string(csv, "csv").and_then(|text| file::measured::read(&text));
+    let given = match (points, options::settings(options, Analysis::Compare)) {
+        (Ok(points), Ok(settings)) => Ok((points, settings)),
+        (points, settings) => Err([points.err(), settings.err()].into_iter().flatten().flatten().collect()),
+    };
+    solve(blade, given, |blade, (points, settings)| analysis::compare(blade, points, settings))
+}
+
 /// The built-in blades with the text of their files.
 #[wasm_bindgen(unchecked_return_type = "Reply<BuiltInBlade[]>")]
 pub fn built_in_blades() -> Answer {

@@ -16,6 +16,7 @@ pub(crate) enum Analysis {
     Fan,
     Shapes,
     Converge,
+    Compare,
 }
 
 impl Analysis {
@@ -30,6 +31,7 @@ impl Analysis {
             Self::Fan => "fan",
             Self::Shapes => "shapes",
             Self::Converge => "converge",
+            Self::Compare => "compare",
         }
     }
 
@@ -39,6 +41,7 @@ impl Analysis {
             Self::Fan => &["speeds", "modes", "dof", "basis", "functions", "harmonics", "band"],
             Self::Shapes => &["speed", "modes", "dof", "basis", "functions", "points", "normalise"],
             Self::Converge => &["speed", "modes", "dof", "basis", "up_to"],
+            Self::Compare => &["modes", "dof", "basis", "functions"],
         }
     }
 }

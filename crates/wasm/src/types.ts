@@ -92,6 +92,9 @@ export interface ConvergeOptions extends SolverOptions {
   speed?: Speed | null;
   up_to?: number | string | null;
 }
+export interface CompareOptions extends SolverOptions {
+  functions?: number | string | null;
+}
 /** Options of a drawing, beside those of its analysis. */
 export interface Looks {
   theme?: "light" | "dark" | null;
@@ -255,6 +258,14 @@ export interface MeasuredPoint {
   speed_rad_s: number;
   frequency_rad_s: number;
   source: string;
+}
+
+/** A measured point and what the solver gives at its rotor speed. */
+export interface ComparedPoint extends MeasuredPoint {
+  /** Null where the point's branch was not asked for: raise `modes`, or name its degree of freedom. */
+  computed_rad_s: number | null;
+  /** `computed_rad_s` less the measured frequency, in percent of the measured one. */
+  error_percent: number | null;
 }
 
 export interface BuiltInBlade {

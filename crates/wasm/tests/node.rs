@@ -7,7 +7,7 @@
 #![allow(missing_docs, reason = "tests say it by their names")]
 
 use bladefan_wasm::{
-    about, built_in_blades, chart_svg, check, converge, fan, margins, measured, modes, parse_blade, shapes,
+    about, built_in_blades, chart_svg, check, compare, converge, fan, margins, measured, modes, parse_blade, shapes,
     version, write_blade,
 };
 use js_sys::{Array, Function, JSON, Object, Reflect};
@@ -74,14 +74,18 @@ fn blade() -> JsValue {
     value(parse_blade(&blade_text(0), &JsValue::UNDEFINED))
 }
 
+/// A measured point.
+const POINT: &str = "label,speed [rpm],frequency [Hz],source\n1F,660,11.5,test\n";
+
 /// Every export that takes a blade and options.
-const SOLVERS: [(&str, Solver); 8] = [
+const SOLVERS: [(&str, Solver); 9] = [
     ("modes", modes),
     ("margins", margins),
     ("fan", fan),
     ("shapes", shapes),
     ("converge", converge),
     ("chart_svg", |blade, options| chart_svg(&"fan".into(), blade, options)),
+    ("compare", |blade, options| compare(blade, &POINT.into(), options)),
     ("check", |blade, _| check(blade)),
     ("write_blade", |blade, _| write_blade(blade, &"toml".into())),
 ];
@@ -135,8 +139,12 @@ fn every_export_answers() {
     assert_eq!(text(&value(check(&blade)), "schema"), "bladefan-check/1");
     assert_eq!(text(&value(about()), "version"), version());
     assert_eq!(number(&value(about()), "speed_units.0.rad_s"), 1.0);
-    let points = value(measured(&"label,speed [rpm],frequency [Hz],source\n1F,660,11.5,test\n".into()));
+    let points = value(measured(&POINT.into()));
     assert_eq!(text(&points, "0.source"), "test");
+    let compared = value(compare(&blade, &POINT.into(), &none));
+    assert!(number(&compared, "0.error_percent").abs() < 5.0);
+    assert_eq!(faults(compare(&blade, &POINT.into(), &js("({ speed: 5 })"))), ["option speed: is not an option of compare"]);
+    assert_eq!(faults(compare(&js("({})"), &"x".into(), &js("({ modes: 0 })"))).len(), 11, "faults of all three");
 }
 
 #[wasm_bindgen_test]

@@ -2,11 +2,13 @@
 //! formula of its own.
 
 mod basis;
+mod compare;
 mod report;
 mod settings;
 
+pub use compare::compare;
 pub use report::{
-    BasisReport, BladeSummary, Branch, Coincidence, ConvergeReport, ConvergeSeries, Crossing, DofSummary, FanChart,
+    BasisReport, BladeSummary, Branch, Coincidence, ComparedPoint, ConvergeReport, ConvergeSeries, Crossing, DofSummary, FanChart,
     FunctionCounts, Margin, MeasuredPoint, ModeReport, ModesReport, Nominal, ShapeReport, ShapesReport, Southwell,
 };
 pub use settings::{BasisFamily, Settings, ShapeScale, SpeedRange};
