@@ -78,6 +78,20 @@ test("measured points are compared alike", () => {
   }
 });
 
+test("a blade in other units is the same blade", () => {
+  const keys = ["length", "mass", "force", "angle", "speed"];
+  const known = value(pkg.about()).units;
+  for (const { blade } of blades) {
+    const frequencies = (blade) => value(pkg.modes(blade)).modes.map((mode) => mode.frequency_rad_s);
+    const own = frequencies(blade);
+    for (const pick of [0, 1, 2]) {
+      const units = Object.fromEntries(keys.map((key) => [key, known[key][pick % known[key].length]]));
+      const converted = value(pkg.convert_blade(blade, units));
+      frequencies(converted).forEach((found, i) => assert.ok(Math.abs(found - own[i]) <= 1e-12 * own[i], `${i}: ${found} is not ${own[i]}`));
+    }
+  }
+});
+
 test("a blade that is written reads back the same", () => {
   for (const { name, blade } of blades) {
     for (const format of ["toml", "json"]) {

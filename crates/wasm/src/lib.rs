@@ -13,11 +13,11 @@ mod tree;
 use crate::options::Analysis;
 use crate::reply::reply;
 use bladefan_core::analysis::{self, ConvergeReport, FanChart, ShapesReport};
-use bladefan_core::blade::Blade;
+use bladefan_core::blade::{self, Blade};
 use bladefan_core::chart::{self, Drawing, FrequencyUnit};
 use bladefan_core::fault::{Fault, FaultCode};
 use bladefan_core::file::{self, BladeFile, Format};
-use bladefan_core::units::SpeedUnit;
+use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit};
 use bladefan_core::{VERSION, library};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -67,6 +67,24 @@ pub fn write_blade(
             Format::Toml => file::to_toml(&file.definition),
             Format::Json => file::to_json(&file.definition),
         })
+    })
+}
+
+/// The same blade in other units. `units` has the keys of the blade file's `units`; where one is
+/// absent the blade's own unit stays. Numbers may be missing or out of range: nothing is checked.
+#[wasm_bindgen(unchecked_return_type = "Reply<Blade>")]
+pub fn convert_blade(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Units")] units: &JsValue,
+) -> Answer {
+    let read = |value, name| tree::tree(value, name).map_err(|fault| vec![fault]);
+    let given = read(blade, "blade").and_then(|tree| file::read_definition(&tree));
+    // The blade's own units stand in for absent ones; without a blade the faults are the same.
+    let own = given.as_ref().map(|definition| definition.units).unwrap_or_default();
+    let units = read(units, "units").and_then(|tree| file::read_units(&tree, own));
+    reply(match (given, units) {
+        (Ok(given), Ok(units)) => Ok((blade::convert(&given, units), Vec::new())),
+        (given, units) => Err([given.err(), units.err()].into_iter().flatten().flatten().collect()),
     })
 }
 
@@ -208,12 +226,29 @@ pub fn about() -> Answer {
         model: &'static str,
         speed_units: Vec<Unit>,
         frequency_units: Vec<&'static str>,
+        units: BladeUnits,
+    }
+    /// The names of each quantity's units in a blade file.
+    #[derive(Serialize)]
+    struct BladeUnits {
+        length: Vec<&'static str>,
+        mass: Vec<&'static str>,
+        force: Vec<&'static str>,
+        angle: Vec<&'static str>,
+        speed: Vec<&'static str>,
     }
     let about = About {
         version: VERSION,
         model: analysis::MODEL,
         speed_units: SpeedUnit::ALL.iter().map(|unit| Unit { name: unit.name(), rad_s: unit.si() }).collect(),
         frequency_units: FrequencyUnit::ALL.iter().map(|unit| unit.name()).collect(),
+        units: BladeUnits {
+            length: LengthUnit::ALL.iter().map(|unit| unit.name()).collect(),
+            mass: MassUnit::ALL.iter().map(|unit| unit.name()).collect(),
+            force: ForceUnit::ALL.iter().map(|unit| unit.name()).collect(),
+            angle: AngleUnit::ALL.iter().map(|unit| unit.name()).collect(),
+            speed: SpeedUnit::ALL.iter().map(|unit| unit.name()).collect(),
+        },
     };
     reply(Ok((about, Vec::new())))
 }
@@ -239,7 +274,7 @@ fn with<S, R: Serialize>(
     settings: Result<S, Vec<Fault>>,
     answer: impl FnOnce(&BladeFile, &S) -> Result<R, Vec<Fault>>,
 ) -> Answer {
-    let file = tree::tree(blade).map_err(|fault| vec![fault]).and_then(|tree| file::read_tree(&tree));
+    let file = tree::tree(blade, "blade").map_err(|fault| vec![fault]).and_then(|tree| file::read_tree(&tree));
     reply(match (file, settings) {
         (Ok(file), Ok(settings)) => {
             answer(&file, &settings).map(|result| (result, file.blade.warnings().to_vec()))

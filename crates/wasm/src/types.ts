@@ -33,13 +33,22 @@ export type ChartKind = "fan" | "shapes" | "converge";
 /** A property along the span: one number, a list on `distribution.r`, or values on radii of its own. */
 export type Property = number | number[] | { r: number[]; values: number[] };
 
+/** Names of units, as `about()` lists them. In a blade an absent one is SI, in `convert_blade` it stays. */
+export interface Units {
+  length?: string;
+  mass?: string;
+  force?: string;
+  angle?: string;
+  speed?: string;
+}
+
 /** A blade as `parse_blade` returns it: the keys and units of the blade file. */
 export interface Blade {
   schema: "bladefan-blade/1";
   name?: string;
   notes?: string;
   source?: { citation?: string; quality?: "published" | "estimated" | "example" };
-  units?: { length?: string; mass?: string; force?: string; angle?: string; speed?: string };
+  units?: Units;
   rotor: { radius: number; nominal_speed: number; blades?: number };
   flap: BladeRoot<"hingeless" | "hinged" | "spring-hinged">;
   lag: BladeRoot<"hingeless" | "hinged" | "spring-hinged">;
@@ -284,4 +293,6 @@ export interface About {
   /** Each with how many rad/s it is. */
   speed_units: { name: string; rad_s: number }[];
   frequency_units: string[];
+  /** Names of a blade file's units, SI first. */
+  units: Record<"length" | "mass" | "force" | "angle" | "speed", string[]>;
 }

@@ -7,7 +7,7 @@
 #![allow(missing_docs, reason = "tests say it by their names")]
 
 use bladefan_wasm::{
-    about, built_in_blades, chart_svg, check, compare, converge, fan, margins, measured, modes, parse_blade, shapes,
+    about, built_in_blades, chart_svg, check, compare, converge, convert_blade, fan, margins, measured, modes, parse_blade, shapes,
     version, write_blade,
 };
 use js_sys::{Array, Function, JSON, Object, Reflect};
@@ -144,7 +144,11 @@ fn every_export_answers() {
     let compared = value(compare(&blade, &POINT.into(), &none));
     assert!(number(&compared, "0.error_percent").abs() < 5.0);
     assert_eq!(faults(compare(&blade, &POINT.into(), &js("({ speed: 5 })"))), ["option speed: is not an option of compare"]);
-    assert_eq!(faults(compare(&js("({})"), &"x".into(), &js("({ modes: 0 })"))).len(), 11, "faults of all three");
+    let all = faults(compare(&js("({})"), &"x".into(), &js("({ modes: 0 })")));
+    for path in ["rotor", "header[0]", "modes"] {
+        assert!(all.iter().any(|fault| fault.contains(&format!(" {path}: "))), "{path}: {all:?}");
+    }
+    assert_eq!(text(&value(about()), "units.length.3"), "in");
 }
 
 #[wasm_bindgen_test]
@@ -191,6 +195,35 @@ fn a_blade_goes_in_as_it_came_out() {
     let text = JSON::stringify(&blade).unwrap();
     let read = value(parse_blade(&text, &"json".into()));
     assert_eq!(JSON::stringify(&read).unwrap(), text);
+}
+
+#[wasm_bindgen_test]
+fn a_blade_is_converted_whole_or_in_part_and_unchecked() {
+    let si = js("({ length: 'm', mass: 'kg', force: 'N', angle: 'rad', speed: 'rad/s' })");
+    let si = value(convert_blade(&blade(), &si));
+    assert!(get(&si, "units").is_undefined(), "SI is not written");
+    let partial = value(convert_blade(&si, &js("({ length: 'in', speed: 'rpm' })")));
+    assert_eq!((number(&partial, "rotor.radius"), number(&partial, "rotor.nominal_speed")), (55.0, 660.0));
+    assert_eq!(text(&partial, "units.length"), "in");
+    let same = value(convert_blade(&partial, &js("({})")));
+    assert_eq!(JSON::stringify(&same).unwrap(), JSON::stringify(&partial).unwrap());
+    let unfinished = js("({ schema: 'bladefan-blade/1', rotor: { radius: -55 }, units: { length: 'in' } })");
+    let converted = value(convert_blade(&unfinished, &js("({ length: 'm' })")));
+    assert_eq!(number(&converted, "rotor.radius"), -1.397);
+    for (units, fault) in [
+        ("({ length: 'furlong' })", "unknown-unit units.length: "),
+        ("({ lenght: 'm' })", "unknown-key units.lenght: "),
+        ("({ speed: 5 })", "wrong-type units.speed: "),
+        ("5", "wrong-type units: "),
+        ("undefined", "wrong-type units: "),
+    ] {
+        let given = faults(convert_blade(&blade(), &js(units)));
+        assert!(given[0].starts_with(fault), "{given:?}");
+    }
+    for source in STRANGE {
+        faults(convert_blade(&js(source), &js("({})")));
+        faults(convert_blade(&blade(), &js(&format!("({{ length: {source} }})"))));
+    }
 }
 
 #[wasm_bindgen_test]
