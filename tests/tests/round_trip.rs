@@ -4,8 +4,8 @@
 
 use bladefan_core::analysis::{self, Settings};
 use bladefan_core::blade::{
-    BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Source,
-    check, convert,
+    Blade, BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition,
+    Source, check, convert,
 };
 use bladefan_core::dof::Dof;
 use bladefan_core::file::{Format, measured, read, to_json, to_toml};
@@ -225,7 +225,7 @@ proptest! {
 fn converted_blades_have_the_same_frequencies() {
     for entry in bladefan_core::library::ENTRIES {
         let given = read(entry.toml, Format::Toml).unwrap();
-        let frequencies = |blade| {
+        let frequencies = |blade: &Blade| {
             let report = analysis::modes(blade, &Settings::default()).unwrap();
             report.modes.iter().map(|mode| mode.frequency_rad_s).collect::<Vec<_>>()
         };
