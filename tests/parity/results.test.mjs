@@ -22,6 +22,27 @@ function compare(command, blade, options, least) {
   assert.ok(count >= least, `only ${count} numbers were compared`);
 }
 
+test("drawings have the same looks", () => {
+  const file = join(folder, "looks.svg");
+  const looks = [
+    ["fan", { frequency_unit: "per-rev", width: 600 }],
+    ["fan", { frequency_unit: "rpm", frequencies: "500:4000", height: 700 }],
+    ["fan", { frequency_unit: "per-rev", frequencies: "2:6.5", speeds: "300rpm:500rpm:7", theme: "dark" }],
+    ["shapes", { width: 700, height: 700 }],
+    ["converge", { width: 390, frequency_unit: "per-rev" }],
+    ["converge", { width: 600, height: 900, speed: 0, frequency_unit: "per-rev" }],
+  ];
+  for (const [kind, options] of looks) {
+    for (const { name, blade } of blades) {
+      const args = Object.entries(options).flatMap(([option, value]) => [`--${option.replace("_", "-")}`, String(value)]);
+      const { status, stderr } = run(kind, name, "--svg", file, ...args);
+      assert.equal(status, 0, stderr);
+      const { svg } = value(pkg.chart_svg(kind, blade, options));
+      assert.ok(svg === readFileSync(file, "utf8"), `${kind} of ${name} with ${args}: the two SVG texts differ`);
+    }
+  }
+});
+
 test("both have the same built-in blades", () => {
   const listed = json("blades").blades.map((blade) => blade.name);
   assert.deepEqual(blades.map((blade) => blade.name), listed);

@@ -276,9 +276,7 @@ fn with<S, R: Serialize>(
 ) -> Answer {
     let file = tree::tree(blade, "blade").map_err(|fault| vec![fault]).and_then(|tree| file::read_tree(&tree));
     reply(match (file, settings) {
-        (Ok(file), Ok(settings)) => {
-            answer(&file, &settings).map(|result| (result, file.blade.warnings().to_vec()))
-        }
+        (Ok(file), Ok(settings)) => answer(&file, &settings).map(|result| (result, file.blade.warnings().to_vec())),
         (file, settings) => Err([file.err(), settings.err()].into_iter().flatten().flatten().collect()),
     })
 }

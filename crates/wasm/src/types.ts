@@ -107,13 +107,21 @@ export interface CompareOptions extends SolverOptions {
 /** Options of a drawing, beside those of its analysis. */
 export interface Looks {
   theme?: "light" | "dark" | null;
-  /** In pixels; the height follows. */
+  /** In pixels, held to 320 … 8000. */
   width?: number | null;
+  /** In pixels, held to 0.4 … 1.6 of the width; without it as suits the width. More than fits makes it higher. */
+  height?: number | null;
   speed_unit?: "rad/s" | "rpm" | "Hz" | null;
-  frequency_unit?: "rad/s" | "Hz" | null;
+  frequency_unit?: "rad/s" | "Hz" | "rpm" | "per-rev" | null;
 }
-/** `measured` is CSV text as `measured()` reads it. */
-export type ChartOptions = Looks & ((FanOptions & { measured?: string | null }) | ShapesOptions | ConvergeOptions);
+/** Options of a fan chart's drawing, beside those of its analysis. */
+export interface FanLooks {
+  /** CSV text as `measured()` reads it. */
+  measured?: string | null;
+  /** What the frequency axis shows in its unit, `[from, to]` or "FROM:TO"; without it from 0 to what the rays can meet. */
+  frequencies?: [number, number] | string | null;
+}
+export type ChartOptions = Looks & ((FanOptions & FanLooks) | ShapesOptions | ConvergeOptions);
 
 /** Numbers of assumed functions; null for a degree of freedom that was not asked for. */
 export interface Basis {
@@ -258,6 +266,7 @@ export interface PlotArea {
 export interface Axis {
   from: number;
   to: number;
+  /** "/rev" for the frequency unit "per-rev"; empty for a pure number. */
   unit: string;
   log: boolean;
 }
@@ -292,6 +301,7 @@ export interface About {
   model: string;
   /** Each with how many rad/s it is. */
   speed_units: { name: string; rad_s: number }[];
+  /** Names for the option `frequency_unit`. */
   frequency_units: string[];
   /** Names of a blade file's units, SI first. */
   units: Record<"length" | "mass" | "force" | "angle" | "speed", string[]>;

@@ -7,8 +7,8 @@
 #![allow(missing_docs, reason = "tests say it by their names")]
 
 use bladefan_wasm::{
-    about, built_in_blades, chart_svg, check, compare, converge, convert_blade, fan, margins, measured, modes, parse_blade, shapes,
-    version, write_blade,
+    about, built_in_blades, chart_svg, check, compare, converge, convert_blade, fan, margins, measured, modes,
+    parse_blade, shapes, version, write_blade,
 };
 use js_sys::{Array, Function, JSON, Object, Reflect};
 use wasm_bindgen::prelude::*;
@@ -143,7 +143,10 @@ fn every_export_answers() {
     assert_eq!(text(&points, "0.source"), "test");
     let compared = value(compare(&blade, &POINT.into(), &none));
     assert!(number(&compared, "0.error_percent").abs() < 5.0);
-    assert_eq!(faults(compare(&blade, &POINT.into(), &js("({ speed: 5 })"))), ["option speed: is not an option of compare"]);
+    assert_eq!(
+        faults(compare(&blade, &POINT.into(), &js("({ speed: 5 })"))),
+        ["option speed: is not an option of compare"]
+    );
     let all = faults(compare(&js("({})"), &"x".into(), &js("({ modes: 0 })")));
     for path in ["rotor", "header[0]", "modes"] {
         assert!(all.iter().any(|fault| fault.contains(&format!(" {path}: "))), "{path}: {all:?}");
@@ -174,6 +177,11 @@ fn a_drawing_has_text_size_and_plot_areas() {
         assert!(number(&drawing, "plots.0.x.to") > number(&drawing, "plots.0.x.from"));
         assert_eq!(text(&drawing, "report.schema"), format!("bladefan-{kind}/1"));
     }
+    let window = js("({ frequency_unit: 'per-rev', frequencies: [1, '6.5'], width: 600, height: 500 })");
+    let drawing = value(chart_svg(&"fan".into(), &blade(), &window));
+    assert_eq!((number(&drawing, "plots.0.y.from"), number(&drawing, "plots.0.y.to")), (1.0, 6.5));
+    assert_eq!((number(&drawing, "width"), number(&drawing, "height")), (600.0, 500.0));
+    assert_eq!(text(&drawing, "plots.0.y.unit"), "/rev");
     let points = js("({ measured: 'label,speed [rpm],frequency [Hz],source\\n1F,660,11.5,wind tunnel\\n' })");
     assert!(text(&value(chart_svg(&"fan".into(), &blade(), &points)), "svg").contains("wind tunnel"));
 }
@@ -301,6 +309,8 @@ fn an_option_of_another_call_is_a_fault() {
     assert_eq!(faults(fan(&blade, &js("({ theme: 'dark' })"))), ["option theme: is not an option of fan"]);
     let shapes = chart_svg(&"shapes".into(), &blade, &js("({ measured: '' })"));
     assert_eq!(faults(shapes), ["option measured: is not an option of shapes"]);
+    let shapes = chart_svg(&"shapes".into(), &blade, &js("({ frequencies: [0, 1] })"));
+    assert_eq!(faults(shapes), ["option frequencies: is not an option of shapes"]);
 }
 
 #[wasm_bindgen_test]
@@ -310,7 +320,12 @@ fn looks_that_do_not_exist_are_faults() {
         ("({ width: 12.5 })", "width"),
         ("({ width: -1 })", "width"),
         ("({ speed_unit: 'mph' })", "speed_unit"),
-        ("({ frequency_unit: 'rpm' })", "frequency_unit"),
+        ("({ frequency_unit: '/rev' })", "frequency_unit"),
+        ("({ height: 12.5 })", "height"),
+        ("({ frequencies: [5, 5] })", "frequencies"),
+        ("({ frequencies: [-1, 5] })", "frequencies"),
+        ("({ frequencies: [0, Infinity] })", "frequencies"),
+        ("({ frequencies: '5' })", "frequencies"),
     ] {
         let given = faults(chart_svg(&"fan".into(), &blade(), &js(options)));
         assert!(given[0].starts_with(&format!("option {name}: ")), "{given:?}");

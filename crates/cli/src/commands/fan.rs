@@ -26,7 +26,7 @@ struct Report<'a> {
 }
 
 pub(super) fn run(args: &FanArgs) -> Result<Output, Failure> {
-    let settings = args.settings()?;
+    let (settings, frequencies) = args.settings()?;
     let input = input::load(&args.blade.blade)?;
     output::check(&[input.path.as_ref(), args.measured.as_ref()], &args.result, Some(&args.drawing))?;
     let points = args.measured.as_deref().map(measured::read).transpose()?;
@@ -47,6 +47,7 @@ pub(super) fn run(args: &FanArgs) -> Result<Output, Failure> {
         let points = points.as_deref().unwrap_or_default();
         let options = ChartOptions {
             frequency_unit: args.frequency.frequency_unit,
+            frequencies,
             band: settings.band,
             measured: points,
             ..drawing::options(&args.drawing)

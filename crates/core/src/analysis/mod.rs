@@ -8,8 +8,9 @@ mod settings;
 
 pub use compare::compare;
 pub use report::{
-    BasisReport, BladeSummary, Branch, Coincidence, ComparedPoint, ConvergeReport, ConvergeSeries, Crossing, DofSummary, FanChart,
-    FunctionCounts, Margin, MeasuredPoint, ModeReport, ModesReport, Nominal, ShapeReport, ShapesReport, Southwell,
+    BasisReport, BladeSummary, Branch, Coincidence, ComparedPoint, ConvergeReport, ConvergeSeries, Crossing,
+    DofSummary, FanChart, FunctionCounts, Margin, MeasuredPoint, ModeReport, ModesReport, Nominal, ShapeReport,
+    ShapesReport, Southwell,
 };
 pub use settings::{BasisFamily, Settings, ShapeScale, SpeedRange};
 
