@@ -311,7 +311,7 @@ impl FanArgs {
         let window = self.frequencies.as_deref().map(parse_frequencies).transpose();
         match (read(given), window) {
             (Ok(settings), Ok(window)) => Ok((settings, window)),
-            (settings, window) => Err(Failure::both(settings.err(), window.err())),
+            (settings, window) => Err(Failure::both(settings.err(), window.err().as_ref())),
         }
     }
 }

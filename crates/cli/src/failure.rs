@@ -26,13 +26,13 @@ impl Failure {
     }
 
     /// A failure of options and a fault of one more; at least one of them is there.
-    pub(crate) fn both(failure: Option<Self>, fault: Option<Fault>) -> Self {
+    pub(crate) fn both(failure: Option<Self>, fault: Option<&Fault>) -> Self {
         let mut lines = match failure {
             Some(Self::Input(lines)) => lines,
             Some(other) => return other,
             None => Vec::new(),
         };
-        lines.extend(fault.as_ref().map(option_line));
+        lines.extend(fault.map(option_line));
         Self::Input(lines)
     }
 
