@@ -1,7 +1,7 @@
 // Native and wasm results are the same to the last bit, for every built-in blade.
 
 import assert from "node:assert/strict";
-import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
@@ -21,6 +21,27 @@ function compare(command, blade, options, least) {
   const count = same(...both(command, blade, options));
   assert.ok(count >= least, `only ${count} numbers were compared`);
 }
+
+test("drawings have the same looks", () => {
+  const file = join(folder, "looks.svg");
+  const looks = [
+    ["fan", { frequency_unit: "per-rev", width: 600 }],
+    ["fan", { frequency_unit: "rpm", frequencies: "500:4000", height: 700 }],
+    ["fan", { frequency_unit: "per-rev", frequencies: "2:6.5", speeds: "300rpm:500rpm:7", theme: "dark" }],
+    ["shapes", { width: 700, height: 700 }],
+    ["converge", { width: 390, frequency_unit: "per-rev" }],
+    ["converge", { width: 600, height: 900, speed: 0, frequency_unit: "per-rev" }],
+  ];
+  for (const [kind, options] of looks) {
+    for (const { name, blade } of blades) {
+      const args = Object.entries(options).flatMap(([option, value]) => [`--${option.replace("_", "-")}`, String(value)]);
+      const { status, stderr } = run(kind, name, "--svg", file, ...args);
+      assert.equal(status, 0, stderr);
+      const { svg } = value(pkg.chart_svg(kind, blade, options));
+      assert.ok(svg === readFileSync(file, "utf8"), `${kind} of ${name} with ${args}: the two SVG texts differ`);
+    }
+  }
+});
 
 test("both have the same built-in blades", () => {
   const listed = json("blades").blades.map((blade) => blade.name);
@@ -55,13 +76,54 @@ for (const entry of blades) {
         const file = join(folder, `${name}-${kind}-${theme}.svg`);
         const { status, stderr } = run(kind, name, "--svg", file, "--theme", theme);
         assert.equal(status, 0, stderr);
-        const { svg } = value(pkg.chart_svg(kind, blade, { theme }));
+        const { svg, report } = value(pkg.chart_svg(kind, blade, { theme }));
+        same(report, value(pkg[kind](blade, {})));
         assert.ok(svg === readFileSync(file, "utf8"), "the two SVG texts differ");
         assert.ok(svg.length > 5_000, "there is hardly anything in the drawing");
       });
     }
   }
 }
+
+test("measured points are compared alike", () => {
+  const csv = "label,speed [rpm],frequency [Hz],source\n1F,660,11.5,test\n3T,330,470,test\n2F,0,0,test\n9L,10,5,other\n";
+  const file = join(folder, "measured.csv");
+  writeFileSync(file, csv);
+  for (const { name, blade } of blades) {
+    for (const basis of ["piecewise", "classical"]) {
+      const compared = value(pkg.compare(blade, csv, { basis }));
+      same(json("fan", name, "--measured", file, "--basis", basis).measured, compared);
+      assert.deepEqual(compared.map((point) => point.computed_rad_s === null), [false, false, false, true]);
+      assert.deepEqual(compared.map((point) => point.error_percent === null), [false, false, true, true]);
+    }
+  }
+});
+
+test("a blade in other units is the same blade", () => {
+  const keys = ["length", "mass", "force", "angle", "speed"];
+  const known = value(pkg.about()).units;
+  for (const { blade } of blades) {
+    const frequencies = (blade) => value(pkg.modes(blade)).modes.map((mode) => mode.frequency_rad_s);
+    const own = frequencies(blade);
+    for (const pick of [0, 1, 2]) {
+      const units = Object.fromEntries(keys.map((key) => [key, known[key][pick % known[key].length]]));
+      const converted = value(pkg.convert_blade(blade, units));
+      frequencies(converted).forEach((found, i) => assert.ok(Math.abs(found - own[i]) <= 1e-12 * own[i], `${i}: ${found} is not ${own[i]}`));
+    }
+  }
+});
+
+test("a blade that is written reads back the same", () => {
+  for (const { name, blade } of blades) {
+    for (const format of ["toml", "json"]) {
+      const written = value(pkg.write_blade(blade, format));
+      same(value(pkg.parse_blade(written, format)), blade);
+      const file = join(folder, `${name}.${format}`);
+      writeFileSync(file, written);
+      same(json("modes", file), json("modes", name));
+    }
+  }
+});
 
 test("numbers, texts and lists of options mean the same", () => {
   const { blade } = blades[0];

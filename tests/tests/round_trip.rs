@@ -2,8 +2,10 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop")]
 
+use bladefan_core::analysis::{self, Settings};
 use bladefan_core::blade::{
-    BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Source,
+    Blade, BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition,
+    Source, check, convert,
 };
 use bladefan_core::dof::Dof;
 use bladefan_core::file::{Format, measured, read, to_json, to_toml};
@@ -123,6 +125,21 @@ fn definition() -> impl Strategy<Value = BladeDefinition> {
     })
 }
 
+/// Every number of a definition, in the order of the file.
+fn numbers(definition: &BladeDefinition) -> Vec<f64> {
+    fn collect(value: &serde_json::Value, into: &mut Vec<f64>) {
+        match value {
+            serde_json::Value::Number(number) => into.extend(number.as_f64()),
+            serde_json::Value::Array(list) => list.iter().for_each(|value| collect(value, into)),
+            serde_json::Value::Object(table) => table.values().for_each(|value| collect(value, into)),
+            _ => {}
+        }
+    }
+    let mut found = Vec::new();
+    collect(&serde_json::from_str(&to_json(definition)).unwrap(), &mut found);
+    found
+}
+
 /// A sound file with some of its characters replaced, so that the reader gets past the first line.
 fn spoilt(base: &'static str) -> impl Strategy<Value = String> {
     let characters = select("[]{}=,.\"'#\\\n\t -+eE0159ainfx:_\0é".chars().collect::<Vec<_>>());
@@ -168,6 +185,25 @@ proptest! {
         }
     }
 
+    /// Two roundings to 15 digits are at most 1e-14 apart, and a few of the last bits besides.
+    #[test]
+    fn units_convert_there_and_back(definition in definition(), other in units()) {
+        let there = convert(&definition, other);
+        prop_assert_eq!(there.units, other);
+        let back = convert(&there, definition.units);
+        let (given, found) = (numbers(&definition), numbers(&back));
+        prop_assert_eq!(given.len(), found.len());
+        for (a, b) in given.iter().zip(&found) {
+            prop_assert!((a - b).abs() <= 1.1e-14 * a.abs(), "{a} {b}");
+        }
+        let equal = |definition: &BladeDefinition| {
+            let r = definition.distribution.as_ref().unwrap().r.as_ref().unwrap().clone();
+            r.windows(2).map(|pair| pair[0].total_cmp(&pair[1])).collect::<Vec<_>>()
+        };
+        prop_assert_eq!(equal(&there), equal(&definition), "steps and the order of radii");
+        prop_assert_eq!(convert(&definition, definition.units), definition);
+    }
+
     #[test]
     fn random_text_never_panics(bytes in vec(any::<u8>(), 0..300)) {
         reads_or_has_faults(&String::from_utf8_lossy(&bytes));
@@ -181,5 +217,31 @@ proptest! {
     #[test]
     fn spoilt_json_never_panics(text in spoilt(BASE_JSON)) {
         reads_or_has_faults(&text);
+    }
+}
+
+/// All built-in blades in every unit of length, mass, force and speed.
+#[test]
+fn converted_blades_have_the_same_frequencies() {
+    for entry in bladefan_core::library::ENTRIES {
+        let given = read(entry.toml, Format::Toml).unwrap();
+        let frequencies = |blade: &Blade| {
+            let report = analysis::modes(blade, &Settings::default()).unwrap();
+            report.modes.iter().map(|mode| mode.frequency_rad_s).collect::<Vec<_>>()
+        };
+        let own = frequencies(&given.blade);
+        for at in 0..5 {
+            let units = Units {
+                length: LengthUnit::ALL[at % LengthUnit::ALL.len()],
+                mass: MassUnit::ALL[at % MassUnit::ALL.len()],
+                force: ForceUnit::ALL[at % ForceUnit::ALL.len()],
+                angle: AngleUnit::ALL[at % AngleUnit::ALL.len()],
+                speed: SpeedUnit::ALL[at % SpeedUnit::ALL.len()],
+            };
+            let blade = check(&convert(&given.definition, units)).unwrap();
+            for (found, own) in frequencies(&blade).iter().zip(&own) {
+                assert!((found - own).abs() <= 1e-12 * own, "{} in {units:?}: {found} {own}", entry.name);
+            }
+        }
     }
 }

@@ -4,7 +4,7 @@
 use crate::failure::Failure;
 use crate::help;
 use bladefan_core::analysis::Settings;
-use bladefan_core::chart::{ChartOptions, FrequencyUnit, Theme};
+use bladefan_core::chart::{ChartOptions, FrequencyUnit, Theme, parse_frequencies};
 use bladefan_core::fault::Fault;
 use bladefan_core::units::SpeedUnit;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -102,6 +102,9 @@ pub(crate) struct DrawingArgs {
     /// Width of the drawing in pixels [default: 960]
     #[arg(long, value_name = "PIXELS", requires = PICTURE, value_parser = clap::value_parser!(u32).range(320..=8000))]
     pub(crate) width: Option<u32>,
+    /// Height of the drawing in pixels, held to 0.4 to 1.6 of the width [default: as suits the width]
+    #[arg(long, value_name = "PIXELS", requires = PICTURE)]
+    pub(crate) height: Option<u32>,
     /// Unit of rotor speeds in the drawing
     #[arg(
         long,
@@ -183,6 +186,9 @@ pub(crate) struct FanArgs {
     /// Measured points to set beside the branches (CSV)
     #[arg(long, value_name = "FILE")]
     pub(crate) measured: Option<PathBuf>,
+    /// What the frequency axis of the drawing shows, in its unit, like 0:500 [default: what suits]
+    #[arg(long, value_name = "FROM:TO", requires = PICTURE, allow_hyphen_values = true)]
+    frequencies: Option<String>,
     #[command(flatten)]
     solver: SolverArgs,
     #[command(flatten)]
@@ -293,7 +299,8 @@ impl ModesArgs {
 }
 
 impl FanArgs {
-    pub(crate) fn settings(&self) -> Result<Settings, Failure> {
+    /// The settings, and the range of the frequency axis.
+    pub(crate) fn settings(&self) -> Result<(Settings, Option<(f64, f64)>), Failure> {
         let mut given = vec![
             ("speeds", &self.speeds),
             ("harmonics", &self.harmonics),
@@ -301,7 +308,11 @@ impl FanArgs {
             ("functions", &self.functions.functions),
         ];
         given.extend(self.solver.given());
-        read(given)
+        let window = self.frequencies.as_deref().map(parse_frequencies).transpose();
+        match (read(given), window) {
+            (Ok(settings), Ok(window)) => Ok((settings, window)),
+            (settings, window) => Err(Failure::both(settings.err(), window.err().as_ref())),
+        }
     }
 }
 

@@ -54,6 +54,8 @@ pub(crate) fn modes(report: &ModesReport) -> Result<String, Failure> {
         "classical [rad/s]",
         "converged [rad/s]",
         "residual",
+        "nearest harmonic",
+        "margin [/rev]",
     ]);
     write(
         header,
@@ -73,6 +75,8 @@ pub(crate) fn modes(report: &ModesReport) -> Result<String, Failure> {
                 maybe(mode.classical_rad_s),
                 maybe(mode.converged_rad_s),
                 number(mode.residual),
+                mode.nearest_harmonic.map(|harmonic| harmonic.to_string()).unwrap_or_default(),
+                maybe(mode.margin_per_rev),
             ]
         }),
     )

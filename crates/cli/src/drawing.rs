@@ -21,6 +21,7 @@ pub(crate) fn options<'a>(args: &DrawingArgs) -> ChartOptions<'a> {
         theme: args.theme,
         speed_unit: args.speed_unit,
         width: args.width.unwrap_or(defaults.width),
+        height: args.height,
         ..defaults
     }
 }

@@ -25,6 +25,17 @@ impl Failure {
         Self::Input(faults.iter().map(option_line).collect())
     }
 
+    /// A failure of options and a fault of one more; at least one of them is there.
+    pub(crate) fn both(failure: Option<Self>, fault: Option<&Fault>) -> Self {
+        let mut lines = match failure {
+            Some(Self::Input(lines)) => lines,
+            Some(other) => return other,
+            None => Vec::new(),
+        };
+        lines.extend(fault.map(option_line));
+        Self::Input(lines)
+    }
+
     /// Faults found while working on `file`, as `file:line:column: path: message`; those of options
     /// by the option's name.
     pub(crate) fn faults(file: &str, faults: &[Fault]) -> Self {

@@ -22,6 +22,7 @@ Examples:
   bladefan fan tm4760 --svg fan.svg
   bladefan fan tm4760 --speeds 0:800rpm:201 --band 0.95:1.05 --format csv --output fan.csv
   bladefan fan tm4760 --measured test.csv --png fan.png
+  bladefan fan tm4760 --frequency-unit per-rev --frequencies 0:6 --height 500 --svg fan.svg
 
 Measured points: a CSV file with the columns label, speed, frequency, source, units in the header
 row: `label,speed [rpm],frequency [Hz],source`. CSV output holds the branches; crossings, margins

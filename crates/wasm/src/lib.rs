@@ -12,18 +12,35 @@ mod tree;
 
 use crate::options::Analysis;
 use crate::reply::reply;
-use bladefan_core::analysis;
-use bladefan_core::blade::Blade;
-use bladefan_core::chart::{self, FrequencyUnit};
+use bladefan_core::analysis::{self, ConvergeReport, FanChart, ShapesReport};
+use bladefan_core::blade::{self, Blade};
+use bladefan_core::chart::{self, Drawing, FrequencyUnit};
 use bladefan_core::fault::{Fault, FaultCode};
 use bladefan_core::file::{self, BladeFile, Format};
-use bladefan_core::units::SpeedUnit;
+use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit};
 use bladefan_core::{VERSION, library};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("types.ts");
+
+/// A drawing and what it shows, so that a page that draws need not solve again.
+#[derive(Serialize)]
+struct Drawn {
+    #[serde(flatten)]
+    drawing: Drawing,
+    report: Report,
+}
+
+/// The result behind a drawing.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Report {
+    Fan(FanChart),
+    Shapes(ShapesReport),
+    Converge(ConvergeReport),
+}
 
 /// What every export gives: a tagged object, or an exception by a mistake of ours.
 type Answer = Result<JsValue, JsError>;
@@ -36,6 +53,39 @@ pub fn parse_blade(
     #[wasm_bindgen(unchecked_optional_param_type = "\"toml\" | \"json\"")] format: &JsValue,
 ) -> Answer {
     reply(read_text(text, format).map(|file| (file.definition, file.blade.warnings().to_vec())))
+}
+
+/// The text of a blade file in TOML or JSON, which `parse_blade` reads back the same.
+#[wasm_bindgen(unchecked_return_type = "Reply<string>")]
+pub fn write_blade(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "\"toml\" | \"json\"")] format: &JsValue,
+) -> Answer {
+    let format = known_format(format).and_then(|format| format.ok_or_else(|| unknown_format(None)));
+    with(blade, format, |file, format| {
+        Ok(match format {
+            Format::Toml => file::to_toml(&file.definition),
+            Format::Json => file::to_json(&file.definition),
+        })
+    })
+}
+
+/// The same blade in other units. `units` has the keys of the blade file's `units`; where one is
+/// absent the blade's own unit stays. Numbers may be missing or out of range: nothing is checked.
+#[wasm_bindgen(unchecked_return_type = "Reply<Blade>")]
+pub fn convert_blade(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Units")] units: &JsValue,
+) -> Answer {
+    let read = |value, name| tree::tree(value, name).map_err(|fault| vec![fault]);
+    let given = read(blade, "blade").and_then(|tree| file::read_definition(&tree));
+    // The blade's own units stand in for absent ones; without a blade the faults are the same.
+    let own = given.as_ref().map(|definition| definition.units).unwrap_or_default();
+    let units = read(units, "units").and_then(|tree| file::read_units(&tree, own));
+    reply(match (given, units) {
+        (Ok(given), Ok(units)) => Ok((blade::convert(&given, units), Vec::new())),
+        (given, units) => Err([given.err(), units.err()].into_iter().flatten().flatten().collect()),
+    })
 }
 
 /// Frequencies of every degree of freedom at one rotor speed.
@@ -91,8 +141,8 @@ pub fn check(#[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue) ->
     solve(blade, Ok(()), |blade, ()| Ok(analysis::summary(blade)))
 }
 
-/// Draws a chart: its SVG text, size and plot areas.
-#[wasm_bindgen(unchecked_return_type = "Reply<Drawing>")]
+/// Draws a chart: its SVG text, size and plot areas, and the result that was drawn.
+#[wasm_bindgen(unchecked_return_type = "Reply<Drawing<ChartReport>>")]
 pub fn chart_svg(
     #[wasm_bindgen(unchecked_param_type = "ChartKind")] kind: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
@@ -105,9 +155,18 @@ pub fn chart_svg(
     solve(blade, options::settings_and_looks(options, analysis), |blade, (settings, looks)| {
         let looks = looks.chart_options(settings);
         Ok(match analysis {
-            Analysis::Shapes => chart::shapes(&analysis::shapes(blade, settings)?, &looks),
-            Analysis::Converge => chart::converge(&analysis::converge(blade, settings)?, &looks),
-            _ => chart::fan(&analysis::fan(blade, settings)?, &looks),
+            Analysis::Shapes => {
+                let report = analysis::shapes(blade, settings)?;
+                Drawn { drawing: chart::shapes(&report, &looks), report: Report::Shapes(report) }
+            }
+            Analysis::Converge => {
+                let report = analysis::converge(blade, settings)?;
+                Drawn { drawing: chart::converge(&report, &looks), report: Report::Converge(report) }
+            }
+            _ => {
+                let report = analysis::fan(blade, settings)?;
+                Drawn { drawing: chart::fan(&report, &looks), report: Report::Fan(report) }
+            }
         })
     })
 }
@@ -116,6 +175,22 @@ pub fn chart_svg(
 #[wasm_bindgen(unchecked_return_type = "Reply<MeasuredPoint[]>")]
 pub fn measured(#[wasm_bindgen(unchecked_param_type = "string")] text: &JsValue) -> Answer {
     reply(string(text, "text").and_then(|text| file::measured::read(&text)).map(|points| (points, Vec::new())))
+}
+
+/// Sets measured points (CSV as `measured` reads it) beside the solver's answer: the frequency of each
+/// point's branch at its own rotor speed.
+#[wasm_bindgen(unchecked_return_type = "Reply<ComparedPoint[]>")]
+pub fn compare(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "string")] csv: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "CompareOptions")] options: &JsValue,
+) -> Answer {
+    let points = string(csv, "csv").and_then(|text| file::measured::read(&text));
+    let given = match (points, options::settings(options, Analysis::Compare)) {
+        (Ok(points), Ok(settings)) => Ok((points, settings)),
+        (points, settings) => Err([points.err(), settings.err()].into_iter().flatten().flatten().collect()),
+    };
+    solve(blade, given, |blade, (points, settings)| analysis::compare(blade, points, settings))
 }
 
 /// The built-in blades with the text of their files.
@@ -151,12 +226,29 @@ pub fn about() -> Answer {
         model: &'static str,
         speed_units: Vec<Unit>,
         frequency_units: Vec<&'static str>,
+        units: BladeUnits,
+    }
+    /// The names of each quantity's units in a blade file.
+    #[derive(Serialize)]
+    struct BladeUnits {
+        length: Vec<&'static str>,
+        mass: Vec<&'static str>,
+        force: Vec<&'static str>,
+        angle: Vec<&'static str>,
+        speed: Vec<&'static str>,
     }
     let about = About {
         version: VERSION,
         model: analysis::MODEL,
         speed_units: SpeedUnit::ALL.iter().map(|unit| Unit { name: unit.name(), rad_s: unit.si() }).collect(),
         frequency_units: FrequencyUnit::ALL.iter().map(|unit| unit.name()).collect(),
+        units: BladeUnits {
+            length: LengthUnit::ALL.iter().map(|unit| unit.name()).collect(),
+            mass: MassUnit::ALL.iter().map(|unit| unit.name()).collect(),
+            force: ForceUnit::ALL.iter().map(|unit| unit.name()).collect(),
+            angle: AngleUnit::ALL.iter().map(|unit| unit.name()).collect(),
+            speed: SpeedUnit::ALL.iter().map(|unit| unit.name()).collect(),
+        },
     };
     reply(Ok((about, Vec::new())))
 }
@@ -173,27 +265,41 @@ fn solve<S, R: Serialize>(
     settings: Result<S, Vec<Fault>>,
     solve: impl FnOnce(&Blade, &S) -> Result<R, Vec<Fault>>,
 ) -> Answer {
-    let blade = tree::tree(blade).map_err(|fault| vec![fault]).and_then(|tree| file::read_tree(&tree));
-    reply(match (blade, settings) {
-        (Ok(BladeFile { blade, .. }), Ok(settings)) => {
-            solve(&blade, &settings).map(|result| (result, blade.warnings().to_vec()))
-        }
-        (blade, settings) => Err([blade.err(), settings.err()].into_iter().flatten().flatten().collect()),
+    with(blade, settings, |file, settings| solve(&file.blade, settings))
+}
+
+/// The same with the blade as given and as checked.
+fn with<S, R: Serialize>(
+    blade: &JsValue,
+    settings: Result<S, Vec<Fault>>,
+    answer: impl FnOnce(&BladeFile, &S) -> Result<R, Vec<Fault>>,
+) -> Answer {
+    let file = tree::tree(blade, "blade").map_err(|fault| vec![fault]).and_then(|tree| file::read_tree(&tree));
+    reply(match (file, settings) {
+        (Ok(file), Ok(settings)) => answer(&file, &settings).map(|result| (result, file.blade.warnings().to_vec())),
+        (file, settings) => Err([file.err(), settings.err()].into_iter().flatten().flatten().collect()),
     })
 }
 
 fn read_text(text: &JsValue, format: &JsValue) -> Result<BladeFile, Vec<Fault>> {
     let text = string(text, "text")?;
-    let format = match format.as_string().as_deref() {
-        Some("toml") => Format::Toml,
-        Some("json") => Format::Json,
-        None if format.is_undefined() || format.is_null() => Format::of_text(&text),
-        other => {
-            let rule = "must be toml or json";
-            return Err(vec![Fault::new(FaultCode::UnknownChoice, "format", other.map(String::from), rule, rule)]);
-        }
-    };
+    let format = known_format(format)?.unwrap_or_else(|| Format::of_text(&text));
     file::read(&text, format)
+}
+
+/// A format by name; none where it is not given.
+fn known_format(format: &JsValue) -> Result<Option<Format>, Vec<Fault>> {
+    match format.as_string().as_deref() {
+        Some("toml") => Ok(Some(Format::Toml)),
+        Some("json") => Ok(Some(Format::Json)),
+        None if format.is_undefined() || format.is_null() => Ok(None),
+        other => Err(unknown_format(other)),
+    }
+}
+
+fn unknown_format(given: Option<&str>) -> Vec<Fault> {
+    let rule = "must be toml or json";
+    vec![Fault::new(FaultCode::UnknownChoice, "format", given.map(String::from), rule, rule)]
 }
 
 fn string(value: &JsValue, name: &str) -> Result<String, Vec<Fault>> {

@@ -3,7 +3,7 @@
 
 use crate::tree::{elements, entries};
 use bladefan_core::analysis::{MeasuredPoint, Settings};
-use bladefan_core::chart::{ChartOptions, FrequencyUnit, Theme};
+use bladefan_core::chart::{ChartOptions, FrequencyUnit, Theme, parse_frequencies};
 use bladefan_core::fault::{Fault, FaultCode};
 use bladefan_core::file::measured;
 use bladefan_core::units::SpeedUnit;
@@ -16,6 +16,7 @@ pub(crate) enum Analysis {
     Fan,
     Shapes,
     Converge,
+    Compare,
 }
 
 impl Analysis {
@@ -30,6 +31,7 @@ impl Analysis {
             Self::Fan => "fan",
             Self::Shapes => "shapes",
             Self::Converge => "converge",
+            Self::Compare => "compare",
         }
     }
 
@@ -39,6 +41,7 @@ impl Analysis {
             Self::Fan => &["speeds", "modes", "dof", "basis", "functions", "harmonics", "band"],
             Self::Shapes => &["speed", "modes", "dof", "basis", "functions", "points", "normalise"],
             Self::Converge => &["speed", "modes", "dof", "basis", "up_to"],
+            Self::Compare => &["modes", "dof", "basis", "functions"],
         }
     }
 }
@@ -48,6 +51,8 @@ impl Analysis {
 pub(crate) struct Looks {
     theme: Theme,
     width: Option<u32>,
+    height: Option<u32>,
+    frequencies: Option<(f64, f64)>,
     speed_unit: Option<SpeedUnit>,
     frequency_unit: FrequencyUnit,
     measured: Vec<MeasuredPoint>,
@@ -60,6 +65,8 @@ impl Looks {
         ChartOptions {
             theme: self.theme,
             width: self.width.unwrap_or(default.width),
+            height: self.height,
+            frequencies: self.frequencies,
             speed_unit: self.speed_unit.unwrap_or(default.speed_unit),
             frequency_unit: self.frequency_unit,
             band: settings.band,
@@ -79,15 +86,22 @@ impl Looks {
                 Ok(width) => self.width = Some(width),
                 Err(_) => return refuse("must be a whole number of pixels"),
             },
+            "height" => match text.parse() {
+                Ok(height) => self.height = Some(height),
+                Err(_) => return refuse("must be a whole number of pixels"),
+            },
             "speed_unit" => match SpeedUnit::from_name(text) {
                 Some(unit) => self.speed_unit = Some(unit),
                 None => return refuse("must be rad/s, rpm or Hz"),
             },
             "frequency_unit" => match FrequencyUnit::from_name(text) {
                 Some(unit) => self.frequency_unit = unit,
-                None => return refuse("must be rad/s or Hz"),
+                None => return refuse("must be rad/s, Hz, rpm or per-rev"),
             },
             "measured" if analysis == Analysis::Fan => self.measured = measured::read(text)?,
+            "frequencies" if analysis == Analysis::Fan => {
+                self.frequencies = Some(parse_frequencies(text).map_err(|fault| vec![fault])?);
+            }
             _ => return Ok(false),
         }
         Ok(true)
@@ -158,7 +172,7 @@ fn text(name: &str, value: &JsValue) -> Result<String, Fault> {
         let rule = "must be text, a number or a list of these";
         Fault::new(FaultCode::Option, name, None, rule, rule)
     };
-    let separator = if matches!(name, "speeds" | "band") { ":" } else { "," };
+    let separator = if matches!(name, "speeds" | "band" | "frequencies") { ":" } else { "," };
     let list = elements(value, name)?.ok_or_else(wrong)?;
     let parts: Option<Vec<String>> = list.iter().map(scalar).collect();
     parts.map(|parts| parts.join(separator)).ok_or_else(wrong)

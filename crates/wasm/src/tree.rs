@@ -58,12 +58,12 @@ pub(crate) fn elements(value: &JsValue, path: &str) -> Result<Option<Vec<JsValue
     (0..length as u32).map(read).collect::<Result<_, _>>().map(Some)
 }
 
-/// The blade as a tree.
+/// An object as a tree; `name` is what it is called where it is none.
 ///
 /// # Errors
 /// What is not text, a number, a truth value, a list or an object; too deep, too much.
-pub(crate) fn tree(value: &JsValue) -> Result<Tree, Fault> {
-    entries(value, "blade")?; // a plain object, and one that can be read
+pub(crate) fn tree(value: &JsValue, name: &str) -> Result<Tree, Fault> {
+    entries(value, name)?; // a plain object, and one that can be read
     Walk { left: MOST_VALUES }.tree(value, "", 0)
 }
 

@@ -33,13 +33,22 @@ export type ChartKind = "fan" | "shapes" | "converge";
 /** A property along the span: one number, a list on `distribution.r`, or values on radii of its own. */
 export type Property = number | number[] | { r: number[]; values: number[] };
 
+/** Names of units, as `about()` lists them. In a blade an absent one is SI, in `convert_blade` it stays. */
+export interface Units {
+  length?: string;
+  mass?: string;
+  force?: string;
+  angle?: string;
+  speed?: string;
+}
+
 /** A blade as `parse_blade` returns it: the keys and units of the blade file. */
 export interface Blade {
   schema: "bladefan-blade/1";
   name?: string;
   notes?: string;
   source?: { citation?: string; quality?: "published" | "estimated" | "example" };
-  units?: { length?: string; mass?: string; force?: string; angle?: string; speed?: string };
+  units?: Units;
   rotor: { radius: number; nominal_speed: number; blades?: number };
   flap: BladeRoot<"hingeless" | "hinged" | "spring-hinged">;
   lag: BladeRoot<"hingeless" | "hinged" | "spring-hinged">;
@@ -92,16 +101,27 @@ export interface ConvergeOptions extends SolverOptions {
   speed?: Speed | null;
   up_to?: number | string | null;
 }
+export interface CompareOptions extends SolverOptions {
+  functions?: number | string | null;
+}
 /** Options of a drawing, beside those of its analysis. */
 export interface Looks {
   theme?: "light" | "dark" | null;
-  /** In pixels; the height follows. */
+  /** In pixels, held to 320 … 8000. */
   width?: number | null;
+  /** In pixels, held to 0.4 … 1.6 of the width; without it as suits the width. More than fits makes it higher. */
+  height?: number | null;
   speed_unit?: "rad/s" | "rpm" | "Hz" | null;
-  frequency_unit?: "rad/s" | "Hz" | null;
+  frequency_unit?: "rad/s" | "Hz" | "rpm" | "per-rev" | null;
 }
-/** `measured` is CSV text as `measured()` reads it. */
-export type ChartOptions = Looks & ((FanOptions & { measured?: string | null }) | ShapesOptions | ConvergeOptions);
+/** Options of a fan chart's drawing, beside those of its analysis. */
+export interface FanLooks {
+  /** CSV text as `measured()` reads it. */
+  measured?: string | null;
+  /** What the frequency axis shows in its unit, `[from, to]` or "FROM:TO"; without it from 0 to what the rays can meet. */
+  frequencies?: [number, number] | string | null;
+}
+export type ChartOptions = Looks & ((FanOptions & FanLooks) | ShapesOptions | ConvergeOptions);
 
 /** Numbers of assumed functions; null for a degree of freedom that was not asked for. */
 export interface Basis {
@@ -127,8 +147,12 @@ export interface Mode {
   number: number;
   frequency_rad_s: number;
   frequency_hz: number;
-  /** Null at rest. */
+  /** Null at rest, as are the next two. */
   per_rev: number | null;
+  /** Integer nearest to `per_rev`, at least 1. */
+  nearest_harmonic: number | null;
+  /** `per_rev` less `nearest_harmonic`. */
+  margin_per_rev: number | null;
   /** The frequency lies between these bounds. */
   lower_rad_s: number | null;
   upper_rad_s: number | null;
@@ -218,11 +242,16 @@ export interface BladeSummary {
   warnings: Warning[];
 }
 
-export interface Drawing {
+/** What a chart may show; `schema` tells which. */
+export type ChartReport = FanChart | ShapesReport | ConvergeReport;
+
+export interface Drawing<Report extends ChartReport = ChartReport> {
   svg: string;
   width: number;
   height: number;
   plots: PlotArea[];
+  /** What is drawn: the value that `fan`, `shapes` or `converge` gives for the same options. */
+  report: Report;
 }
 /** Where a frame stands in its drawing, in units of the viewBox, y downwards. */
 export interface PlotArea {
@@ -237,6 +266,7 @@ export interface PlotArea {
 export interface Axis {
   from: number;
   to: number;
+  /** "/rev" for the frequency unit "per-rev"; empty for a pure number. */
   unit: string;
   log: boolean;
 }
@@ -246,6 +276,14 @@ export interface MeasuredPoint {
   speed_rad_s: number;
   frequency_rad_s: number;
   source: string;
+}
+
+/** A measured point and what the solver gives at its rotor speed. */
+export interface ComparedPoint extends MeasuredPoint {
+  /** Null where the point's branch was not asked for: raise `modes`, or name its degree of freedom. */
+  computed_rad_s: number | null;
+  /** `computed_rad_s` less the measured frequency, in percent of the measured one. */
+  error_percent: number | null;
 }
 
 export interface BuiltInBlade {
@@ -263,5 +301,8 @@ export interface About {
   model: string;
   /** Each with how many rad/s it is. */
   speed_units: { name: string; rad_s: number }[];
+  /** Names for the option `frequency_unit`. */
   frequency_units: string[];
+  /** Names of a blade file's units, SI first. */
+  units: Record<"length" | "mass" | "force" | "angle" | "speed", string[]>;
 }

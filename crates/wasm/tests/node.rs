@@ -7,7 +7,8 @@
 #![allow(missing_docs, reason = "tests say it by their names")]
 
 use bladefan_wasm::{
-    about, built_in_blades, chart_svg, check, converge, fan, margins, measured, modes, parse_blade, shapes, version,
+    about, built_in_blades, chart_svg, check, compare, converge, convert_blade, fan, margins, measured, modes,
+    parse_blade, shapes, version, write_blade,
 };
 use js_sys::{Array, Function, JSON, Object, Reflect};
 use wasm_bindgen::prelude::*;
@@ -73,15 +74,20 @@ fn blade() -> JsValue {
     value(parse_blade(&blade_text(0), &JsValue::UNDEFINED))
 }
 
+/// A measured point.
+const POINT: &str = "label,speed [rpm],frequency [Hz],source\n1F,660,11.5,test\n";
+
 /// Every export that takes a blade and options.
-const SOLVERS: [(&str, Solver); 7] = [
+const SOLVERS: [(&str, Solver); 9] = [
     ("modes", modes),
     ("margins", margins),
     ("fan", fan),
     ("shapes", shapes),
     ("converge", converge),
     ("chart_svg", |blade, options| chart_svg(&"fan".into(), blade, options)),
+    ("compare", |blade, options| compare(blade, &POINT.into(), options)),
     ("check", |blade, _| check(blade)),
+    ("write_blade", |blade, _| write_blade(blade, &"toml".into())),
 ];
 
 /// Values that are no blade and no options object.
@@ -115,6 +121,8 @@ fn a_result_is_a_plain_object() {
     // Absent values are null, not undefined, and lists of pairs are objects, not maps.
     let at_rest = value(modes(&blade(), &js("({ speed: 0 })")));
     assert!(get(&at_rest, "modes.0.per_rev").is_null());
+    assert!(get(&at_rest, "modes.0.nearest_harmonic").is_null());
+    assert_eq!(number(&report, "modes.0.nearest_harmonic"), 1.0);
     let again = JSON::parse(&String::from(JSON::stringify(&report).unwrap())).unwrap();
     assert_eq!(JSON::stringify(&again).unwrap(), JSON::stringify(&report).unwrap());
 }
@@ -131,8 +139,19 @@ fn every_export_answers() {
     assert_eq!(text(&value(check(&blade)), "schema"), "bladefan-check/1");
     assert_eq!(text(&value(about()), "version"), version());
     assert_eq!(number(&value(about()), "speed_units.0.rad_s"), 1.0);
-    let points = value(measured(&"label,speed [rpm],frequency [Hz],source\n1F,660,11.5,test\n".into()));
+    let points = value(measured(&POINT.into()));
     assert_eq!(text(&points, "0.source"), "test");
+    let compared = value(compare(&blade, &POINT.into(), &none));
+    assert!(number(&compared, "0.error_percent").abs() < 5.0);
+    assert_eq!(
+        faults(compare(&blade, &POINT.into(), &js("({ speed: 5 })"))),
+        ["option speed: is not an option of compare"]
+    );
+    let all = faults(compare(&js("({})"), &"x".into(), &js("({ modes: 0 })")));
+    for path in ["rotor", "header[0]", "modes"] {
+        assert!(all.iter().any(|fault| fault.contains(&format!(" {path}: "))), "{path}: {all:?}");
+    }
+    assert_eq!(text(&value(about()), "units.length.3"), "in");
 }
 
 #[wasm_bindgen_test]
@@ -156,7 +175,13 @@ fn a_drawing_has_text_size_and_plot_areas() {
         assert_eq!(number(&drawing, "width"), 640.0);
         assert_eq!(length(&drawing, "plots"), plots, "{kind}");
         assert!(number(&drawing, "plots.0.x.to") > number(&drawing, "plots.0.x.from"));
+        assert_eq!(text(&drawing, "report.schema"), format!("bladefan-{kind}/1"));
     }
+    let window = js("({ frequency_unit: 'per-rev', frequencies: [1, '6.5'], width: 600, height: 500 })");
+    let drawing = value(chart_svg(&"fan".into(), &blade(), &window));
+    assert_eq!((number(&drawing, "plots.0.y.from"), number(&drawing, "plots.0.y.to")), (1.0, 6.5));
+    assert_eq!((number(&drawing, "width"), number(&drawing, "height")), (600.0, 500.0));
+    assert_eq!(text(&drawing, "plots.0.y.unit"), "/rev");
     let points = js("({ measured: 'label,speed [rpm],frequency [Hz],source\\n1F,660,11.5,wind tunnel\\n' })");
     assert!(text(&value(chart_svg(&"fan".into(), &blade(), &points)), "svg").contains("wind tunnel"));
 }
@@ -181,6 +206,35 @@ fn a_blade_goes_in_as_it_came_out() {
 }
 
 #[wasm_bindgen_test]
+fn a_blade_is_converted_whole_or_in_part_and_unchecked() {
+    let si = js("({ length: 'm', mass: 'kg', force: 'N', angle: 'rad', speed: 'rad/s' })");
+    let si = value(convert_blade(&blade(), &si));
+    assert!(get(&si, "units").is_undefined(), "SI is not written");
+    let partial = value(convert_blade(&si, &js("({ length: 'in', speed: 'rpm' })")));
+    assert_eq!((number(&partial, "rotor.radius"), number(&partial, "rotor.nominal_speed")), (55.0, 660.0));
+    assert_eq!(text(&partial, "units.length"), "in");
+    let same = value(convert_blade(&partial, &js("({})")));
+    assert_eq!(JSON::stringify(&same).unwrap(), JSON::stringify(&partial).unwrap());
+    let unfinished = js("({ schema: 'bladefan-blade/1', rotor: { radius: -55 }, units: { length: 'in' } })");
+    let converted = value(convert_blade(&unfinished, &js("({ length: 'm' })")));
+    assert_eq!(number(&converted, "rotor.radius"), -1.397);
+    for (units, fault) in [
+        ("({ length: 'furlong' })", "unknown-unit units.length: "),
+        ("({ lenght: 'm' })", "unknown-key units.lenght: "),
+        ("({ speed: 5 })", "wrong-type units.speed: "),
+        ("5", "wrong-type units: "),
+        ("undefined", "wrong-type units: "),
+    ] {
+        let given = faults(convert_blade(&blade(), &js(units)));
+        assert!(given[0].starts_with(fault), "{given:?}");
+    }
+    for source in STRANGE {
+        faults(convert_blade(&js(source), &js("({})")));
+        faults(convert_blade(&blade(), &js(&format!("({{ length: {source} }})"))));
+    }
+}
+
+#[wasm_bindgen_test]
 fn no_blade_and_strange_blades_are_faults() {
     for (name, call) in SOLVERS {
         for source in ["undefined", "null"].iter().chain(&STRANGE) {
@@ -193,7 +247,7 @@ fn no_blade_and_strange_blades_are_faults() {
 #[wasm_bindgen_test]
 fn strange_options_are_faults() {
     let blade = blade();
-    for (name, call) in SOLVERS.into_iter().filter(|(name, _)| *name != "check") {
+    for (name, call) in SOLVERS.into_iter().filter(|(name, _)| !["check", "write_blade"].contains(name)) {
         for source in STRANGE {
             assert!(!faults(call(&blade, &js(source))).is_empty(), "{name} with {source}");
         }
@@ -255,6 +309,8 @@ fn an_option_of_another_call_is_a_fault() {
     assert_eq!(faults(fan(&blade, &js("({ theme: 'dark' })"))), ["option theme: is not an option of fan"]);
     let shapes = chart_svg(&"shapes".into(), &blade, &js("({ measured: '' })"));
     assert_eq!(faults(shapes), ["option measured: is not an option of shapes"]);
+    let shapes = chart_svg(&"shapes".into(), &blade, &js("({ frequencies: [0, 1] })"));
+    assert_eq!(faults(shapes), ["option frequencies: is not an option of shapes"]);
 }
 
 #[wasm_bindgen_test]
@@ -264,7 +320,12 @@ fn looks_that_do_not_exist_are_faults() {
         ("({ width: 12.5 })", "width"),
         ("({ width: -1 })", "width"),
         ("({ speed_unit: 'mph' })", "speed_unit"),
-        ("({ frequency_unit: 'rpm' })", "frequency_unit"),
+        ("({ frequency_unit: '/rev' })", "frequency_unit"),
+        ("({ height: 12.5 })", "height"),
+        ("({ frequencies: [5, 5] })", "frequencies"),
+        ("({ frequencies: [-1, 5] })", "frequencies"),
+        ("({ frequencies: [0, Infinity] })", "frequencies"),
+        ("({ frequencies: '5' })", "frequencies"),
     ] {
         let given = faults(chart_svg(&"fan".into(), &blade(), &js(options)));
         assert!(given[0].starts_with(&format!("option {name}: ")), "{given:?}");
@@ -285,6 +346,11 @@ fn text_that_is_no_text_is_a_fault() {
         let given = faults(parse_blade(&blade_text(0), &js(source)));
         assert!(given[0].starts_with("unknown-choice format: "), "{given:?}");
     }
+    for source in ["'yaml'", "5", "undefined"] {
+        let given = faults(write_blade(&blade(), &js(source)));
+        assert_eq!(given, ["unknown-choice format: must be toml or json"]);
+    }
+    assert!(faults(write_blade(&js("({})"), &js("'yaml'"))).len() > 5, "faults of both come together");
 }
 
 #[wasm_bindgen_test]

@@ -1,13 +1,13 @@
 //! `fan`: the fan chart.
 
-use super::measured::{self, Compared};
+use super::measured;
 use super::{MARGIN_COLUMNS, MODE_COLUMNS, basis, heading, margin_cells, pick, speed};
 use crate::args::{FanArgs, Format};
 use crate::failure::{Failure, warn};
 use crate::output::{self, Output};
 use crate::table::{Align, Cell, Table, short, significant};
 use crate::{csv, drawing, input, json, progress};
-use bladefan_core::analysis::{self, FanChart, Settings};
+use bladefan_core::analysis::{self, ComparedPoint, FanChart, Settings};
 use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::dof::Dof;
 use bladefan_core::units::{hz, rpm};
@@ -22,11 +22,11 @@ struct Report<'a> {
     #[serde(flatten)]
     chart: &'a FanChart,
     #[serde(skip_serializing_if = "Option::is_none")]
-    measured: Option<&'a [Compared<'a>]>,
+    measured: Option<&'a [ComparedPoint]>,
 }
 
 pub(super) fn run(args: &FanArgs) -> Result<Output, Failure> {
-    let settings = args.settings()?;
+    let (settings, frequencies) = args.settings()?;
     let input = input::load(&args.blade.blade)?;
     output::check(&[input.path.as_ref(), args.measured.as_ref()], &args.result, Some(&args.drawing))?;
     let points = args.measured.as_deref().map(measured::read).transpose()?;
@@ -47,6 +47,7 @@ pub(super) fn run(args: &FanArgs) -> Result<Output, Failure> {
         let points = points.as_deref().unwrap_or_default();
         let options = ChartOptions {
             frequency_unit: args.frequency.frequency_unit,
+            frequencies,
             band: settings.band,
             measured: points,
             ..drawing::options(&args.drawing)
@@ -56,7 +57,7 @@ pub(super) fn run(args: &FanArgs) -> Result<Output, Failure> {
     Output::new(text, &args.result).draw(&args.drawing, draw)
 }
 
-fn table(chart: &FanChart, settings: &Settings, compared: Option<&[Compared]>) -> String {
+fn table(chart: &FanChart, settings: &Settings, compared: Option<&[ComparedPoint]>) -> String {
     let from = chart.speeds_rad_s.first().copied().unwrap_or_default();
     let to = chart.speeds_rad_s.last().copied().unwrap_or_default();
     let title = format!("{} speeds from {} to {}", chart.speeds_rad_s.len(), short(from, 4), speed(to));
@@ -179,7 +180,7 @@ fn near(chart: &FanChart, settings: &Settings) -> Table {
     table
 }
 
-fn points(chart: &FanChart, compared: &[Compared]) -> Table {
+fn points(chart: &FanChart, compared: &[ComparedPoint]) -> Table {
     let mut table = Table::new([
         ("mode", Align::Left),
         ("rotor speed\n[rpm]", Align::Point),
@@ -188,13 +189,13 @@ fn points(chart: &FanChart, compared: &[Compared]) -> Table {
         ("error\n[%]", Align::Point),
         ("source", Align::Left),
     ]);
-    for Compared { point, computed_rad_s, error_percent } in compared {
+    for point in compared {
         table.row([
             Cell::label(&point.label, dof(chart, &point.label)),
             Cell::number(rpm(point.speed_rad_s), 4),
             Cell::number(point.frequency_rad_s, 5),
-            Cell::maybe(*computed_rad_s, 5),
-            error_percent.map_or_else(|| Cell::text("-"), |error| Cell::signed(error, 2)),
+            Cell::maybe(point.computed_rad_s, 5),
+            point.error_percent.map_or_else(|| Cell::text("-"), |error| Cell::signed(error, 2)),
             Cell::text(&point.source),
         ]);
     }

@@ -4,7 +4,7 @@ use super::run;
 
 #[test]
 fn faults_of_options_have_their_names() {
-    let cases: [(&[&str], &str); 12] = [
+    let cases: [(&[&str], &str); 14] = [
         (&["modes", "uniform", "--speed", "fast"], "--speed: must be "),
         (&["modes", "uniform", "--speed", "-5rpm"], "--speed: must be "),
         (&["modes", "uniform", "--speed", "inf"], "--speed: must be "),
@@ -15,6 +15,8 @@ fn faults_of_options_have_their_names() {
         (&["modes", "uniform", "--basis", "smooth"], "--basis: must be "),
         (&["fan", "uniform", "--speeds", "3:1:10"], "--speeds: must "),
         (&["fan", "uniform", "--band", "1.1"], "--band: must be "),
+        (&["fan", "uniform", "--svg", "a", "--frequencies", "9:5"], "--frequencies: must have 0 <= FROM < TO"),
+        (&["fan", "uniform", "--svg", "a", "--frequencies", "-5"], "--frequencies: must be FROM:TO"),
         (&["shapes", "uniform", "--points", "1"], "--points: must be "),
         (&["converge", "uniform", "--up-to", "0"], "--up-to: must be "),
     ];
@@ -28,6 +30,8 @@ fn faults_of_options_have_their_names() {
 fn all_faults_of_options_come_at_once() {
     let message = run(&["fan", "uniform", "--modes", "x", "--speeds", "1", "--harmonics", "-1"]).refused();
     assert_eq!(message.lines().count(), 3, "{message}");
+    let message = run(&["fan", "uniform", "--svg", "a", "--modes", "0", "--frequencies", "5"]).refused();
+    assert_eq!(message.lines().count(), 2, "{message}");
 }
 
 #[test]

@@ -39,6 +39,18 @@ fn drawings_have_themes_and_widths() {
 }
 
 #[test]
+fn drawings_have_heights_and_ranges() {
+    let folder = tempfile::tempdir().unwrap();
+    for (command, more) in [("fan", ["--frequencies", "0:500"].as_slice()), ("shapes", &[]), ("converge", &[])] {
+        let arguments = [command, "tm4760", "--png", "a.png", "--width", "600", "--height", "800"];
+        run_in(folder.path(), &[&arguments, more].concat()).good();
+        let png = fs::read(folder.path().join("a.png")).unwrap();
+        assert_eq!(png.get(20..24), Some(1600_u32.to_be_bytes().as_slice()), "{command}");
+    }
+    run(&["shapes", "tm4760", "--svg", "a.svg", "--frequencies", "0:500"]).refused();
+}
+
+#[test]
 fn drawings_have_units() {
     let folder = tempfile::tempdir().unwrap();
     let draw = |units: &[&str]| {
@@ -49,9 +61,19 @@ fn drawings_have_units() {
     assert!(svg.contains("rotor speed [rpm]") && svg.contains("frequency [rad/s]"), "the defaults");
     let svg = draw(&["--frequency-unit", "Hz", "--speed-unit", "rad/s"]);
     assert!(svg.contains("rotor speed [rad/s]") && svg.contains("frequency [Hz]"), "as asked for");
-    run(&["fan", "tm4760", "--svg", "a.svg", "--frequency-unit", "rpm"]).refused();
+    run(&["fan", "tm4760", "--svg", "a.svg", "--frequency-unit", "/rev"]).refused();
     run(&["shapes", "tm4760", "--svg", "a.svg", "--frequency-unit", "Hz"]).refused();
-    for option in [["--theme", "dark"], ["--width", "600"], ["--speed-unit", "Hz"], ["--frequency-unit", "Hz"]] {
+    let svg = draw(&["--frequency-unit", "rpm"]);
+    assert!(svg.contains("frequency [rpm]"), "cycles per minute");
+    let svg = draw(&["--frequency-unit", "per-rev", "--frequencies", "1:6.5"]);
+    assert!(svg.contains("frequency [/rev]"), "per revolution");
+    for option in [
+        ["--theme", "dark"],
+        ["--width", "600"],
+        ["--height", "600"],
+        ["--speed-unit", "Hz"],
+        ["--frequency-unit", "Hz"],
+    ] {
         let message = run(&[&["converge", "tm4760"], option.as_slice()].concat()).refused();
         assert!(message.contains("--svg"), "an option of a drawing needs one: {message}");
     }

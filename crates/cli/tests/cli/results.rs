@@ -102,6 +102,9 @@ fn csv_has_the_same_numbers_under_headers_with_units() {
         for (row, mode) in modes.iter().zip(&report.modes) {
             assert_eq!((row[0].as_str(), row[2].as_str()), (blade.name(), mode.label.as_str()));
             assert_eq!(number(&row[5]).to_bits(), mode.frequency_rad_s.to_bits(), "{name} {}", mode.label);
+            let (nearest, margin) = (mode.nearest_harmonic.unwrap(), mode.margin_per_rev.unwrap());
+            assert_eq!((row[14].clone(), number(&row[15]).to_bits()), (nearest.to_string(), margin.to_bits()));
+            assert!((f64::from(nearest) + margin - mode.per_rev.unwrap()).abs() < 1e-12, "{name} {}", mode.label);
         }
 
         let (header, fan) = rows("fan");
@@ -134,6 +137,19 @@ fn csv_has_the_same_numbers_under_headers_with_units() {
         assert!(converge.len() > 15 * (16 + steps.len() / 2), "{name}: every number of functions of both families");
         assert_eq!(rows("check").1.len(), 3);
     }
+}
+
+#[test]
+fn modes_at_rest_have_no_harmonic() {
+    let json: Value =
+        serde_json::from_str(&run(&["modes", "tm4760", "--speed", "0", "--format", "json"]).good()).unwrap();
+    let mode = json["modes"][0].as_object().unwrap();
+    for key in ["per_rev", "nearest_harmonic", "margin_per_rev"] {
+        assert_eq!(mode.get(key), Some(&Value::Null), "{key}");
+    }
+    let csv = run(&["modes", "tm4760", "--speed", "0", "--format", "csv"]).good();
+    assert!(csv.lines().next().unwrap().ends_with("residual,nearest harmonic,margin [/rev]"), "{csv}");
+    assert!(csv.lines().skip(1).all(|line| line.ends_with(",,")), "{csv}");
 }
 
 #[test]

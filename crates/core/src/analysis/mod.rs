@@ -2,12 +2,15 @@
 //! formula of its own.
 
 mod basis;
+mod compare;
 mod report;
 mod settings;
 
+pub use compare::compare;
 pub use report::{
-    BasisReport, BladeSummary, Branch, Coincidence, ConvergeReport, ConvergeSeries, Crossing, DofSummary, FanChart,
-    FunctionCounts, Margin, MeasuredPoint, ModeReport, ModesReport, Nominal, ShapeReport, ShapesReport, Southwell,
+    BasisReport, BladeSummary, Branch, Coincidence, ComparedPoint, ConvergeReport, ConvergeSeries, Crossing,
+    DofSummary, FanChart, FunctionCounts, Margin, MeasuredPoint, ModeReport, ModesReport, Nominal, ShapeReport,
+    ShapesReport, Southwell,
 };
 pub use settings::{BasisFamily, Settings, ShapeScale, SpeedRange};
 
@@ -72,13 +75,17 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Vec<Faul
         report.basis.functions.set(dof, basis.count());
         note(&mut report.warnings, dof, error);
         for (index, (mode, interval)) in solved.iter().zip(&bounds.intervals).enumerate() {
+            let per_rev = units::per_rev(mode.frequency, speed);
+            let margin = per_rev.map(|per_rev| margin(label(dof, index + 1), per_rev));
             report.modes.push(ModeReport {
                 label: label(dof, index + 1),
                 dof,
                 number: index + 1,
                 frequency_rad_s: mode.frequency,
                 frequency_hz: units::hz(mode.frequency),
-                per_rev: units::per_rev(mode.frequency, speed),
+                per_rev,
+                nearest_harmonic: margin.as_ref().map(|margin| margin.nearest_harmonic),
+                margin_per_rev: margin.as_ref().map(|margin| margin.margin_per_rev),
                 lower_rad_s: Some(sqrt(interval.lower)),
                 upper_rad_s: Some(sqrt(interval.upper)),
                 separation_rad_s: bounds.separation.map(|square| sqrt(square.max(0.0))),

@@ -64,6 +64,10 @@ report! {
         frequency_hz: f64,
         /// The same per revolution; `None` at rest.
         per_rev: Option<f64>,
+        /// Integer nearest to `per_rev`, at least 1; `None` at rest.
+        nearest_harmonic: Option<u32>,
+        /// `per_rev` less `nearest_harmonic`; `None` at rest.
+        margin_per_rev: Option<f64>,
         /// Lower bound, where known.
         lower_rad_s: Option<f64>,
         /// Upper bound, where known.
@@ -206,6 +210,24 @@ report! {
         frequency_rad_s: f64,
         /// Who measured or computed it.
         source: String,
+    }
+}
+report! {
+    /// A measured point and what the solver gives at its rotor speed.
+    ComparedPoint {
+        /// Branch it belongs to, `1F`, …
+        label: String,
+        /// Rotor speed.
+        speed_rad_s: f64,
+        /// Measured frequency.
+        frequency_rad_s: f64,
+        /// Who measured or computed it.
+        source: String,
+        /// Frequency of the same branch at the same rotor speed; `None` where the branch was not asked for.
+        computed_rad_s: Option<f64>,
+        /// `computed_rad_s` less the measured frequency, in percent of the measured one; `None` without
+        /// the one, or where the other is 0.
+        error_percent: Option<f64>,
     }
 }
 report! {

@@ -1,6 +1,7 @@
-//! The blade: as given (definition), and as checked (model).
+//! The blade: as given (definition), in other units (convert), and as checked (model).
 
 mod check;
+mod convert;
 mod definition;
 mod model;
 mod tension;
@@ -8,6 +9,7 @@ mod tension;
 pub use check::check;
 #[cfg(feature = "file")]
 pub(crate) use check::{Shortest, choice_fault, shortest};
+pub use convert::convert;
 pub use definition::{
     BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Source,
 };

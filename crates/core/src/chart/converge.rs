@@ -10,7 +10,7 @@ use super::sheet::{Anchor, Face, Point, Sheet, dash_array};
 use super::{ChartOptions, Drawing, FrequencyUnit, text};
 use crate::analysis::{BasisFamily, ConvergeReport, ConvergeSeries};
 use crate::dof::Dof;
-use crate::numerics::scalar::{ceil, round};
+use crate::numerics::scalar::round;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -19,10 +19,14 @@ use alloc::vec::Vec;
 const PAPER_FUNCTIONS: f64 = 15.0;
 /// Smaller errors [%] are not told from rounding, nor from zero.
 const LEAST_ERROR: f64 = 1e-10;
-/// The frequency panel ends here: what is further off is read in the error panel.
-const MOST_RATIO: f64 = 2.0;
+/// The frequency panel ends here, so that the few percent that the paper's functions leave show; what is
+/// further off is read in the error panel.
+const MOST_RATIO: f64 = 1.2;
 /// Most functions that stand side by side on a linear axis.
 const MOST_LINEAR: f64 = 40.0;
+/// Least heights [px] of both panels where no height is asked for: on a narrow drawing the share of
+/// its width would press curves together.
+const LEAST_HEIGHTS: [f64; 2] = [200.0, 300.0];
 /// Name of the error axis.
 const ERROR: &str = "error against the converged frequency [%]";
 
@@ -45,17 +49,24 @@ impl Trace<'_> {
 pub fn converge(report: &ConvergeReport, options: &ChartOptions) -> Drawing {
     let style = Style::of(options.theme, options.width);
     let name = text::clean(&report.blade);
-    let unit = options.frequency_unit;
+    // At rest there is no frequency per revolution.
+    let unit = match options.frequency_unit {
+        FrequencyUnit::PerRev if report.speed_rad_s <= 0.0 => FrequencyUnit::RadS,
+        unit => unit,
+    };
     // Classical lines above: they are what the reader looks for.
     let traces: Vec<Trace> = [BasisFamily::Piecewise, BasisFamily::Classical]
         .into_iter()
         .flat_map(|family| report.series.iter().map(move |series| trace(report, series, family)))
         .collect();
-    let list: Vec<(String, Dof)> = report.series.iter().map(|series| listed(series, unit)).collect();
+    let list: Vec<(String, Dof)> =
+        report.series.iter().map(|series| listed(series, unit, report.speed_rad_s)).collect();
 
     let (functions, ratios, errors) = (function_scale(report, &traces), ratio_scale(&traces), error_scale(&traces));
-    let room = panel::y_tick_room(&style, &ratios, [0.2, 0.3]);
-    let room = room.max(panel::y_tick_room(&style, &errors, [0.28, 0.38]));
+    let held = options.held_height(style.width);
+    let shares = held.map(|height| [0.1, 0.56 * height / style.width]);
+    let room = panel::y_tick_room(&style, &ratios, shares.unwrap_or([0.2, 0.4]));
+    let room = room.max(panel::y_tick_room(&style, &errors, shares.unwrap_or([0.28, 0.6])));
     let left = 0.7 * style.margin() + panel::name_beside(&style) + room;
     let longest = list.iter().map(|(text, _)| text::width(text, style.tick(), true));
     let longest = longest.fold(text::width(&list_head(unit), style.small(), false), f64::max);
@@ -67,17 +78,26 @@ pub fn converge(report: &ConvergeReport, options: &ChartOptions) -> Drawing {
     let head = Head::new(&style, &name, entries.chain(families).collect(), left);
     let top = head.height(&style) + 2.0 * style.small();
     let width = right - left;
-    let upper = Area { left, top, right, bottom: top + 0.3 * width };
-    let middle = upper.bottom + 1.5 * style.label();
-    let lower = Area { left, top: middle, right, bottom: middle + 0.38 * width };
-    let panels = [Panel::new(&style, upper, functions.clone(), ratios), Panel::new(&style, lower, functions, errors)];
-    let panels = panels.map(|panel| whole_ticks(&style, panel));
-
     let speed = text::significant(report.speed_rad_s / options.speed_unit.si(), 4);
     let speed = format!("at {speed} {}", options.speed_unit.name());
     let foot = Foot::new(&style, alloc::vec![speed.clone()], &remarks(report, &traces), left);
-    let below = lower.bottom + panel::ticks_below(&style) + panel::name_below(&style) + 0.5 * style.small();
-    let mut sheet = Sheet::new(style.width, ceil(below + foot.height(&style)));
+    let between = 1.5 * style.label();
+    let under = panel::ticks_below(&style) + panel::name_below(&style) + 0.5 * style.small();
+    let heights = match held {
+        None => [(0.3 * width).max(LEAST_HEIGHTS[0]), (0.38 * width).max(LEAST_HEIGHTS[1])],
+        Some(height) => {
+            let room = height - top - between - under - foot.height(&style);
+            [0.44, 0.56].map(|share| (share * room).max(panel::least_height(&style)))
+        }
+    };
+    let upper = Area { left, top, right, bottom: top + heights[0] };
+    let middle = upper.bottom + between;
+    let lower = Area { left, top: middle, right, bottom: middle + heights[1] };
+    let panels = [Panel::new(&style, upper, functions.clone(), ratios), Panel::new(&style, lower, functions, errors)];
+    let panels = panels.map(|panel| whole_ticks(&style, panel));
+
+    let below = lower.bottom + under;
+    let mut sheet = Sheet::new(style.width, panel::whole(below + foot.height(&style)));
 
     draw_background(&mut sheet, &style);
     head.draw(&mut sheet, &style, left);
@@ -224,14 +244,15 @@ fn draw_error_labels(sheet: &mut Sheet, style: &Style, panel: &Panel, traces: &[
 }
 
 fn list_head(unit: FrequencyUnit) -> String {
-    format!("converged [{}]", unit.name())
+    format!("converged [{}]", unit.symbol())
 }
 
 /// `2F 185.9`: the mode and its converged frequency.
-fn listed(series: &ConvergeSeries, unit: FrequencyUnit) -> (String, Dof) {
+fn listed(series: &ConvergeSeries, unit: FrequencyUnit, speed: f64) -> (String, Dof) {
     let label = text::clean(&series.label);
-    let text = match series.converged_rad_s.filter(|value| value.is_finite()) {
-        Some(value) => format!("{label} {}", text::significant(unit.of(value), 4)),
+    let value = series.converged_rad_s.and_then(|value| unit.of(value, speed));
+    let text = match value.filter(|value| value.is_finite()) {
+        Some(value) => format!("{label} {}", text::significant(value, 4)),
         None => label,
     };
     (text, series.dof)

@@ -7,6 +7,7 @@ use super::sheet::{Anchor, Face, Pen, Point, Sheet};
 use super::spread::{Wish, spread};
 use super::text;
 use super::{Axis, PlotArea};
+use crate::numerics::scalar::ceil;
 use alloc::string::String;
 use alloc::vec::Vec;
 use plotters::style::RGBColor;
@@ -32,6 +33,21 @@ pub(super) fn y_tick_room(style: &Style, y: &Scale, heights: [f64; 2]) -> f64 {
     let room = |share: f64| tick_room(style, &y.ticks(y_tick_count(style, y, share * style.width)));
     let between = 0.5 * (heights[0] + heights[1]);
     room(heights[0]).max(room(between)).max(room(heights[1]))
+}
+
+/// Between which shares of the width a frame's height lies where a drawing's is `share` of it.
+pub(super) fn shares_of(share: f64) -> [f64; 2] {
+    [(share - 0.35).max(0.1), share]
+}
+
+/// Least height [px] of a frame, whatever the height of the drawing.
+pub(super) fn least_height(style: &Style) -> f64 {
+    75.0 * style.unit
+}
+
+/// The whole number of pixels that holds `height`; what is whole but for rounding stays.
+pub(super) fn whole(height: f64) -> f64 {
+    ceil(height - 1e-6)
 }
 
 fn y_tick_count(style: &Style, y: &Scale, height: f64) -> f64 {

@@ -60,7 +60,7 @@ impl Scale {
             (value - axis.from) / (axis.to - axis.from)
         };
         // Far outside is as good as just outside, and stays within whole-number pixels.
-        share.is_finite().then(|| self.from_px + (self.to_px - self.from_px) * share.clamp(-100.0, 100.0))
+        share.is_finite().then(|| self.from_px + (self.to_px - self.from_px) * share.clamp(-1e5, 1e5))
     }
 
     /// At most about `count` ticks.

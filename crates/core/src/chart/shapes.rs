@@ -10,7 +10,6 @@ use super::sheet::{Anchor, Face, Point, Sheet};
 use super::{ChartOptions, Drawing, text};
 use crate::analysis::{ShapeReport, ShapesReport};
 use crate::dof::Dof;
-use crate::numerics::scalar::ceil;
 use alloc::format;
 use alloc::string::ToString;
 use alloc::vec::Vec;
@@ -36,7 +35,9 @@ pub fn shapes(report: &ShapesReport, options: &ChartOptions) -> Drawing {
     let scales: Vec<Scale> = dofs.iter().map(|&dof| y_scale(report, dof)).collect();
 
     // Each panel has the same room to its left, so that the frames are of one size.
-    let ticks = scales.iter().map(|scale| panel::y_tick_room(&style, scale, [0.15, 0.42])).fold(0.0, f64::max);
+    let held = options.held_height(style.width);
+    let shares = held.map_or([0.15, 0.42], |height| [0.1, height / style.width]);
+    let ticks = scales.iter().map(|scale| panel::y_tick_room(&style, scale, shares)).fold(0.0, f64::max);
     let beside = 0.7 * style.margin() + panel::name_beside(&style) + ticks;
     let count = dofs.len().max(1) as f64;
     let columns = if style.width / count >= LEAST_SHARE * style.unit.min(1.0) { dofs.len().max(1) } else { 1 };
@@ -44,24 +45,30 @@ pub fn shapes(report: &ShapesReport, options: &ChartOptions) -> Drawing {
     let (width, ratio) = (share - beside - 0.3 * style.margin(), if columns == 1 { 0.42 } else { 0.85 });
     let caption = 1.7 * style.label();
     let below = panel::ticks_below(&style) + panel::name_below(&style);
-    let row_height = caption + ratio * width + below + 0.5 * style.margin();
+    let row_rest = caption + below + 0.5 * style.margin();
+    let rows = dofs.len().div_ceil(columns);
 
     let head = Head::new(&style, &name, Vec::new(), beside);
     let top = head.height(&style);
+    let notes = alloc::vec![speed.clone(), "dots: nodes".to_string(), basis_text(&report.basis)];
+    let foot = Foot::new(&style, notes, &[], beside);
+    let height = held.map_or(ratio * width, |height| {
+        let room = (height - top - foot.height(&style)) / rows.max(1) as f64;
+        (room - row_rest).max(panel::least_height(&style))
+    });
+    let row_height = row_rest + height;
     let panels: Vec<Panel> = scales
         .into_iter()
         .enumerate()
         .map(|(number, y)| {
             let left = (number % columns) as f64 * share + beside;
             let top = top + (number / columns) as f64 * row_height + caption;
-            let area = Area { left, top, right: left + width, bottom: top + ratio * width };
+            let area = Area { left, top, right: left + width, bottom: top + height };
             Panel::new(&style, area, Scale::linear(0.0, 1.0, ""), y)
         })
         .collect();
-    let notes = alloc::vec![speed.clone(), "dots: nodes".to_string(), basis_text(&report.basis)];
-    let foot = Foot::new(&style, notes, &[], beside);
-    let foot_top = top + dofs.len().div_ceil(columns) as f64 * row_height;
-    let mut sheet = Sheet::new(style.width, ceil(foot_top + foot.height(&style)));
+    let foot_top = top + rows as f64 * row_height;
+    let mut sheet = Sheet::new(style.width, panel::whole(foot_top + foot.height(&style)));
 
     draw_background(&mut sheet, &style);
     head.draw(&mut sheet, &style, beside);

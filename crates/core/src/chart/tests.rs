@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop")]
 
 use super::line::Area;
-use super::{ChartOptions, Drawing, FrequencyUnit, Theme, converge, fan, shapes, text};
+use super::{ChartOptions, Drawing, FrequencyUnit, Theme, converge, fan, parse_frequencies, shapes, text};
 use crate::analysis::{
     BasisFamily, BasisReport, Branch, Coincidence, ConvergeReport, ConvergeSeries, Crossing, FanChart, FunctionCounts,
     MeasuredPoint, Nominal, ShapeReport, ShapesReport, Southwell,
@@ -226,7 +226,7 @@ fn groups(drawing: &Drawing, class: &str) -> Vec<String> {
 fn each_look(draw: impl Fn(&ChartOptions, &str)) {
     let points = measured();
     for width in [0, 600, 960, 1600, 8000] {
-        for (theme, frequency_unit) in Theme::ALL.into_iter().zip(FrequencyUnit::ALL) {
+        for (frequency_unit, theme) in FrequencyUnit::ALL.into_iter().zip(Theme::ALL.into_iter().cycle()) {
             let options = ChartOptions { theme, width, frequency_unit, measured: &points, ..Default::default() };
             draw(&options, &format!("{width} {} {}", theme.name(), frequency_unit.name()));
         }
@@ -284,6 +284,164 @@ fn axes_lie_where_the_drawing_says() {
     let y = plot.top + plot.height * (1.0 - crossing.frequency_rad_s / plot.y.to);
     assert!((number(&circle, "cx") / 10.0 - x).abs() < 0.06, "{x}");
     assert!((number(&circle, "cy") / 10.0 - y).abs() < 0.06, "{y}");
+}
+
+/// Where a crossing's circle is [px].
+fn circle_of(drawing: &Drawing, crossing: &str) -> (f64, f64) {
+    let document = Document::parse(&drawing.svg).unwrap();
+    let circles = document.descendants().filter(|node| node.attribute("data-crossing") == Some(crossing));
+    let circle = circles.flat_map(|node| node.children()).find(|node| node.has_tag_name("circle")).unwrap();
+    (number(&circle, "cx") / 10.0, number(&circle, "cy") / 10.0)
+}
+
+/// All points [px] of the lines of a class.
+fn points_of(drawing: &Drawing, class: &str, label: Option<&str>) -> Vec<(f64, f64)> {
+    let document = Document::parse(&drawing.svg).unwrap();
+    let wanted = |node: &Node| {
+        node.attribute("class").is_some_and(|classes| classes.split(' ').any(|c| c == class))
+            && label.is_none_or(|label| node.attribute("data-label") == Some(label))
+    };
+    let lines = document.descendants().filter(wanted).flat_map(|node| node.children());
+    let lines: Vec<&str> = lines.filter_map(|line| line.attribute("points")).collect();
+    let pair = |pair: &str| {
+        let (x, y) = pair.split_once(',').unwrap();
+        (x.parse::<f64>().unwrap() / 10.0, y.parse::<f64>().unwrap() / 10.0)
+    };
+    lines.into_iter().flat_map(|line| line.split_whitespace().map(pair).collect::<Vec<_>>()).collect()
+}
+
+#[test]
+fn per_revolution_rays_are_level_and_crossings_lie_on_them() {
+    let chart = FanChart { blades: None, ..chart(&BRANCHES, 101, 10) };
+    let options = ChartOptions { frequency_unit: FrequencyUnit::PerRev, ..Default::default() };
+    let drawing = fan(&chart, &options);
+    check(&drawing, "per rev");
+    let plot = &drawing.plots[0];
+    assert_eq!((plot.y.from, plot.y.to, plot.y.unit), (0.0, 10.4, "/rev"));
+    assert!(drawing.svg.contains("frequency [/rev]"), "axis name");
+    let height = |value: f64| plot.top + plot.height * (1.0 - value / plot.y.to);
+    let rays = points_of(&drawing, "ray", None);
+    assert_eq!(rays.len(), 20);
+    for (harmonic, pair) in (1..).zip(rays.chunks(2)) {
+        assert!((pair[0].0 - plot.left).abs() < 0.06 && (pair[1].0 - plot.left - plot.width).abs() < 0.06, "{pair:?}");
+        assert!(pair.iter().all(|point| (point.1 - height(f64::from(harmonic))).abs() < 0.06), "{harmonic}: {pair:?}");
+    }
+    assert_eq!(groups(&drawing, "ray-label").len(), 10);
+    let (_, y) = circle_of(&drawing, "3F × 5P");
+    assert!((y - height(5.0)).abs() < 0.06, "{y}");
+    // 1F goes with the rotor from the first speed on; 2F comes in through the top.
+    let first = points_of(&drawing, "branch", Some("1F"));
+    assert!(first[0].0 < plot.left + 0.1 && first.iter().all(|point| (point.1 - height(72.3 / 69.1)).abs() < 0.2));
+    let second = points_of(&drawing, "branch", Some("2F"));
+    assert!((second[0].1 - plot.top).abs() < 0.1 && second[0].0 > plot.left + 10.0, "{:?}", second[0]);
+    // With few speeds the curve is the same, not a chain of straight pieces.
+    let few = fan(&super::tests::chart(&BRANCHES, 3, 10), &options);
+    let few = points_of(&few, "branch", Some("2F"));
+    assert!((few[0].0 - second[0].0).abs() < 0.5 && few.len() > 10, "{:?} {:?}", few[0], second[0]);
+}
+
+#[test]
+fn a_range_of_frequencies_is_shown_exactly_and_holds_all_lines() {
+    let points = measured();
+    for (frequency_unit, window) in [
+        (FrequencyUnit::RadS, (100.0, 400.0)),
+        (FrequencyUnit::RadS, (349.0, 351.0)),
+        (FrequencyUnit::Hz, (0.0, 1e6)),
+        (FrequencyUnit::Rpm, (0.0, 900.0)),
+        (FrequencyUnit::PerRev, (2.0, 6.0)),
+        (FrequencyUnit::PerRev, (0.0, 0.3)),
+    ] {
+        for (speeds, harmonics) in [(101, 10), (2, 100)] {
+            let options =
+                ChartOptions { frequency_unit, frequencies: Some(window), measured: &points, ..Default::default() };
+            let drawing = fan(&chart(&BRANCHES, speeds, harmonics), &options);
+            let what = format!("{} {window:?} {speeds}", frequency_unit.name());
+            check(&drawing, &what);
+            let plot = &drawing.plots[0];
+            assert_eq!((plot.y.from, plot.y.to), window, "{what}");
+            for (x, y) in points_of(&drawing, "branch", None).into_iter().chain(points_of(&drawing, "ray", None)) {
+                let inside = (plot.left - 0.1..=plot.left + plot.width + 0.1).contains(&x)
+                    && (plot.top - 0.1..=plot.top + plot.height + 0.1).contains(&y);
+                assert!(inside, "{what}: {x} {y} in {plot:?}");
+            }
+        }
+    }
+    let drawing = fan(
+        &chart(&BRANCHES, 101, 10),
+        &ChartOptions { frequency_unit: FrequencyUnit::PerRev, frequencies: Some((2.0, 6.0)), ..Default::default() },
+    );
+    assert!(groups(&drawing, "branch-label").contains(&"1L".to_string()), "1L leaves through the lower edge");
+    assert_eq!(groups(&drawing, "ray-label"), ["2P", "3P", "4P", "5P", "6P"]);
+    assert!(drawing.svg.contains("below the chart: 1F"), "what is below is said");
+    let default = fan(&chart(&BRANCHES, 101, 10), &ChartOptions::default());
+    for none in [(5.0, 5.0), (-1.0, 5.0), (0.0, f64::INFINITY), (f64::NAN, 1.0)] {
+        let options = ChartOptions { frequencies: Some(none), ..Default::default() };
+        assert_eq!(fan(&chart(&BRANCHES, 101, 10), &options), default, "{none:?} is no range");
+    }
+}
+
+#[test]
+fn ranges_of_speeds_may_start_far_from_rest_and_miss_the_band() {
+    for (from, to) in [(30.0, 50.0), (75.0, 200.0), (69.0, 69.2), (1e-3, 20.0)] {
+        let mut chart = chart(&BRANCHES, 21, 10);
+        for (at, speed) in chart.speeds_rad_s.iter_mut().enumerate() {
+            *speed = from + (to - from) * at as f64 / 20.0;
+        }
+        for branch in &mut chart.branches {
+            let Southwell { k0, k1 } = branch.southwell;
+            branch.frequency_rad_s = chart.speeds_rad_s.iter().map(|speed| sqrt(k0 + k1 * speed * speed)).collect();
+        }
+        each_look(|options, look| {
+            let drawing = fan(&chart, options);
+            check(&drawing, &format!("{from} to {to} {look}"));
+            assert_eq!(drawing.svg.contains("nominal 6"), from < 69.1 && to > 69.1, "{from} to {to}");
+        });
+    }
+}
+
+#[test]
+fn drawings_are_as_high_as_asked_for() {
+    let (chart, shape, known) = (chart(&BRANCHES, 101, 10), shape_report(5), converge_report(true));
+    for (width, asked, held) in [(960, 700, 700.0), (960, 10, 384.0), (600, 5000, 960.0), (1600, 2000, 2000.0)] {
+        let options = ChartOptions { width, height: Some(asked), ..Default::default() };
+        let drawings = [fan(&chart, &options), shapes(&shape, &options), converge(&known, &options)];
+        for (number, drawing) in drawings.iter().enumerate() {
+            check(drawing, &format!("{number} at {width} × {asked}"));
+            assert!((drawing.height - held).abs() < 1e-9, "{number}: {} at {width} × {asked}", drawing.height);
+        }
+    }
+    for width in [320, 390, 8000] {
+        for height in [0, 100_000] {
+            for frequency_unit in FrequencyUnit::ALL {
+                let options = ChartOptions { width, height: Some(height), frequency_unit, ..Default::default() };
+                let what = format!("{width} × {height}");
+                check(&fan(&chart, &options), &what);
+                check(&shapes(&shape, &options), &what);
+                check(&converge(&known, &options), &what);
+            }
+        }
+    }
+}
+
+#[test]
+fn options_of_frequencies_are_read_or_refused_with_a_rule() {
+    assert_eq!(parse_frequencies("0:6.5"), Ok((0.0, 6.5)));
+    for (bad, rule) in [("5", "must be FROM:TO"), ("a:b", "must be FROM:TO"), ("0:1:2", "must be FROM:TO")] {
+        assert!(parse_frequencies(bad).unwrap_err().message.starts_with(rule), "{bad}");
+    }
+    for bad in ["5:5", "6:5", "-1:5", "0:inf", "NaN:1", "0:NaN"] {
+        let fault = parse_frequencies(bad).unwrap_err();
+        assert_eq!((fault.path.as_str(), fault.value.as_deref()), ("frequencies", Some(bad)));
+        assert!(fault.message.starts_with("must have 0 <= FROM < TO"), "{bad}");
+    }
+}
+
+#[test]
+fn a_narrow_convergence_study_is_higher_than_wide() {
+    let narrow = converge(&converge_report(true), &ChartOptions { width: 390, ..Default::default() });
+    let [frequency, error] = narrow.plots.as_slice() else { panic!("two panels") };
+    assert!(narrow.height > 1.5 * narrow.width && frequency.height >= 200.0 && error.height >= 300.0, "{narrow:?}");
+    assert!(frequency.y.to < 1.3, "few percent show");
 }
 
 #[test]

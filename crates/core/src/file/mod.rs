@@ -20,6 +20,7 @@ pub use write::{to_json, to_toml};
 
 use crate::blade::{Blade, BladeDefinition, check};
 use crate::fault::Fault;
+use crate::units::Units;
 use alloc::vec::Vec;
 use place::{Placed, drop_consequences, in_order};
 use reader::Reader;
@@ -95,6 +96,31 @@ pub fn read(text: &str, format: Format) -> Result<BladeFile, Vec<Fault>> {
 /// Every fault, without line and column.
 pub fn read_tree(tree: &Tree) -> Result<BladeFile, Vec<Fault>> {
     read_placed(tree).map_err(|faults| faults.into_iter().map(|placed| placed.fault).collect())
+}
+
+/// Reads a blade as given, without the check: its numbers may be missing or out of range.
+///
+/// # Errors
+/// Every fault of keys, types, words and units, without line and column.
+pub fn read_definition(tree: &Tree) -> Result<BladeDefinition, Vec<Fault>> {
+    let mut reader = Reader::default();
+    let definition = reader.definition(tree);
+    without_places(reader, definition)
+}
+
+/// Reads a table of units in the file's keys; those that are absent are those of `absent`.
+///
+/// # Errors
+/// Every fault, without line and column.
+pub fn read_units(tree: &Tree, absent: Units) -> Result<Units, Vec<Fault>> {
+    let mut reader = Reader::default();
+    let units = reader.units_of(tree, absent);
+    without_places(reader, units)
+}
+
+fn without_places<T>(reader: Reader, value: T) -> Result<T, Vec<Fault>> {
+    let faults: Vec<Fault> = reader.faults.into_iter().map(|placed| placed.fault).collect();
+    if faults.is_empty() { Ok(value) } else { Err(faults) }
 }
 
 fn read_placed(tree: &Tree) -> Result<BladeFile, Vec<Placed>> {

@@ -16,6 +16,8 @@ use alloc::vec::Vec;
 
 /// Longest piece of a file that is repeated in a message, in characters.
 const LONGEST: usize = 40;
+/// Keys of the table of units.
+const UNITS: [&str; 5] = ["length", "mass", "force", "angle", "speed"];
 
 /// Reads trees and keeps every fault.
 ///
@@ -57,7 +59,9 @@ impl Reader {
             source: self
                 .sub_table(&file, "source", &["citation", "quality"])
                 .map(|table| Source { citation: self.text(&table, "citation"), quality: self.text(&table, "quality") }),
-            units: self.units(&file),
+            units: self
+                .sub_table(&file, "units", &UNITS)
+                .map_or_else(Units::default, |table| self.units(&table, Units::default())),
             rotor: self.sub_table(&file, "rotor", &["radius", "nominal_speed", "blades"]).map(|table| {
                 RotorDefinition {
                     radius: self.number(&table, "radius"),
@@ -162,17 +166,18 @@ impl Reader {
         None
     }
 
-    fn units(&mut self, file: &Table) -> Units {
-        let si = Units::default();
-        let Some(table) = self.sub_table(file, "units", &["length", "mass", "force", "angle", "speed"]) else {
-            return si;
-        };
+    /// Units on their own; those that are absent are those of `absent`.
+    pub(super) fn units_of(&mut self, tree: &Tree, absent: Units) -> Units {
+        self.table("units", tree, &UNITS).map_or(absent, |table| self.units(&table, absent))
+    }
+
+    fn units(&mut self, table: &Table, absent: Units) -> Units {
         Units {
-            length: self.unit(&table, "length", LengthUnit::ALL, LengthUnit::name).unwrap_or(si.length),
-            mass: self.unit(&table, "mass", MassUnit::ALL, MassUnit::name).unwrap_or(si.mass),
-            force: self.unit(&table, "force", ForceUnit::ALL, ForceUnit::name).unwrap_or(si.force),
-            angle: self.unit(&table, "angle", AngleUnit::ALL, AngleUnit::name).unwrap_or(si.angle),
-            speed: self.unit(&table, "speed", SpeedUnit::ALL, SpeedUnit::name).unwrap_or(si.speed),
+            length: self.unit(table, "length", LengthUnit::ALL, LengthUnit::name).unwrap_or(absent.length),
+            mass: self.unit(table, "mass", MassUnit::ALL, MassUnit::name).unwrap_or(absent.mass),
+            force: self.unit(table, "force", ForceUnit::ALL, ForceUnit::name).unwrap_or(absent.force),
+            angle: self.unit(table, "angle", AngleUnit::ALL, AngleUnit::name).unwrap_or(absent.angle),
+            speed: self.unit(table, "speed", SpeedUnit::ALL, SpeedUnit::name).unwrap_or(absent.speed),
         }
     }
 

@@ -6,7 +6,7 @@ use super::super::panel::Panel;
 use super::super::place::Obstacles;
 use super::super::sheet::{Anchor, Face, Point, Sheet};
 use super::super::text;
-use super::Units;
+use super::units::Units;
 use crate::analysis::{Crossing, FanChart};
 use alloc::format;
 use alloc::string::String;
@@ -34,7 +34,7 @@ pub(super) fn in_band(chart: &FanChart, band: (f64, f64)) -> impl Iterator<Item 
 /// The same inside the frame.
 pub(super) fn marks(chart: &FanChart, band: (f64, f64), panel: &Panel, units: Units) -> Vec<Mark> {
     let mark = |crossing: &Crossing| {
-        let at = panel.point(units.speed(crossing.speed_rad_s), units.frequency(crossing.frequency_rad_s))?;
+        let at = units.point(panel, crossing.speed_rad_s, crossing.frequency_rad_s)?;
         let label = text::clean(&crossing.label);
         panel.area.holds_point(at).then(|| Mark { at, name: format!("{label} × {}P", crossing.harmonic), label })
     };
@@ -76,7 +76,14 @@ pub(super) fn draw(sheet: &mut Sheet, style: &Style, marks: &[Mark], obstacles: 
 }
 
 /// A text with a rim of the background, so that it can be read over lines.
-fn draw_haloed(sheet: &mut Sheet, style: &Style, (class, label): (&str, &str), at: Point, name: &str, face: &Face) {
+pub(super) fn draw_haloed(
+    sheet: &mut Sheet,
+    style: &Style,
+    (class, label): (&str, &str),
+    at: Point,
+    name: &str,
+    face: &Face,
+) {
     let RGBColor(red, green, blue) = style.palette.background;
     let rim = format!("#{red:02X}{green:02X}{blue:02X}");
     let width = format!("{}", (30.0 * style.unit) as i32);

@@ -6,7 +6,7 @@ use super::super::palette::Style;
 use super::super::panel::Panel;
 use super::super::sheet::{Point, Sheet};
 use super::super::text;
-use super::Units;
+use super::units::Units;
 use crate::analysis::{FanChart, MeasuredPoint};
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -27,7 +27,7 @@ impl Measured {
     pub(super) fn of(points: &[MeasuredPoint], chart: &FanChart, panel: &Panel, units: Units, style: &Style) -> Self {
         let mut measured = Self { sources: sources(points), ..Self::default() };
         for point in points {
-            let at = panel.point(units.speed(point.speed_rad_s), units.frequency(point.frequency_rad_s));
+            let at = units.point(panel, point.speed_rad_s, point.frequency_rad_s);
             let Some(at) = at.filter(|&at| panel.area.holds_point(at)) else {
                 measured.outside += 1;
                 continue;

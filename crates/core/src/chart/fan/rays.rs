@@ -6,7 +6,7 @@ use super::super::panel::{EndLabel, Panel};
 use super::super::sheet::{Anchor, Face, Point, Sheet};
 use super::super::spread::{Wish, spread};
 use super::super::text;
-use super::Units;
+use super::units::Units;
 use crate::analysis::FanChart;
 use alloc::format;
 use alloc::string::String;
@@ -47,16 +47,30 @@ pub(super) fn rays(chart: &FanChart, panel: &Panel, units: Units) -> Vec<Ray> {
     let axis = &panel.x.axis;
     (1..=chart.harmonics)
         .filter_map(|harmonic| {
-            let at = |speed: f64| {
-                let frequency = units.frequency(f64::from(harmonic) * units.speed_si(speed));
-                // Cut at the top by value: a steep ray's far end is beyond any whole-number pixel.
-                let top = panel.y.axis.to;
-                if frequency <= top {
-                    return panel.point(speed, frequency);
-                }
-                panel.point(speed * (top / frequency), top)
+            let frequency_at = |speed: f64| {
+                let speed = units.speed_si(speed);
+                units.frequency(f64::from(harmonic) * speed, speed)
             };
-            let ends = [at(axis.from)?, at(axis.to)?];
+            let at = |speed: f64| {
+                let frequency = frequency_at(speed)?;
+                // Cut by value: a steep ray's far ends are beyond any whole-number pixel.
+                let (bottom, top) = (panel.y.axis.from, panel.y.axis.to);
+                if frequency > top {
+                    return panel.point(speed * (top / frequency), top);
+                }
+                if frequency < bottom {
+                    return panel.point(bottom / frequency_at(1.0)?, bottom);
+                }
+                panel.point(speed, frequency)
+            };
+            // On the frame's edges, which rounding must not push it over.
+            let level = |speed: f64| {
+                let (x, y) = panel.point(speed, f64::from(harmonic))?;
+                let edges = [panel.area.top, panel.area.bottom];
+                Some((x, edges.into_iter().find(|edge| (edge - y).abs() < 1e-6).unwrap_or(y)))
+            };
+            let ends =
+                if units.per_rev() { [level(axis.from)?, level(axis.to)?] } else { [at(axis.from)?, at(axis.to)?] };
             let inside = clip(&ends, &panel.area).pop()?;
             let ends = [*inside.first()?, *inside.last()?];
             if ends[1].0 - ends[0].0 < 0.5 {
