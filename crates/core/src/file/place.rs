@@ -6,6 +6,7 @@ use alloc::collections::BTreeSet;
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
+use core::iter;
 
 /// A fault and the byte of the text it stands at.
 pub(super) struct Placed {
@@ -86,7 +87,7 @@ pub(super) fn decapitalised(message: &str) -> String {
     match chars.next() {
         // A word in capitals (TOML, NaN) stays.
         Some(first) if !chars.clone().next().is_some_and(char::is_uppercase) => {
-            first.to_lowercase().chain(chars).collect()
+            iter::once(first.to_ascii_lowercase()).chain(chars).collect()
         }
         _ => message.into(),
     }

@@ -277,7 +277,7 @@ fn nearest<'k>(key: &str, known: &[&'k str]) -> Option<&'k str> {
     if key.chars().count() > LONGEST {
         return None;
     }
-    let key = key.to_lowercase();
+    let key = key.to_ascii_lowercase(); // as all known keys are in ASCII
     let likeness = |known: &&&str| strsim::jaro_winkler(&key, known);
     let best = known.iter().max_by(|a, b| likeness(a).total_cmp(&likeness(b)))?;
     // Below this, likeness is chance.

@@ -1,15 +1,18 @@
 //! Gauss–Legendre rules, as many points as an oscillating integrand needs.
 
+mod table;
+
+use crate::numerics::scalar::cos;
 use alloc::vec::Vec;
-use core::num::NonZeroUsize;
-use gauss_quad::GaussLegendre;
+use core::f64::consts::PI;
+use table::RULES;
 
 /// Fewest points of a rule for waves; exact for polynomials of degree 5.
 const FEWEST_POINTS: usize = 3;
 /// Most points of a rule for waves; enough for a phase of π.
 const MOST_POINTS: usize = 16;
 /// Most points of any rule; polynomials have no other limit.
-const LARGEST_RULE: usize = 26;
+const LARGEST_RULE: usize = RULES.len();
 /// Error of a rule relative to the integrand's size; far below the rounding of the sum.
 const TOLERANCE: f64 = 1e-18;
 
@@ -31,10 +34,7 @@ impl GaussRules {
     /// All rules.
     pub fn new() -> Self {
         Self {
-            rules: (1..=LARGEST_RULE)
-                .filter_map(NonZeroUsize::new)
-                .map(|n| GaussLegendre::new(n).as_node_weight_pairs().to_vec())
-                .collect(),
+            rules: RULES.iter().enumerate().map(|(index, half)| whole(half, index + 1)).collect(),
             phases: (FEWEST_POINTS..=MOST_POINTS).map(largest_phase).collect(),
         }
     }
@@ -52,6 +52,13 @@ impl GaussRules {
     pub fn with_points(&self, points: usize) -> &[(f64, f64)] {
         &self.rules[points.clamp(1, LARGEST_RULE) - 1]
     }
+}
+
+/// Nodes, ascending, and weights of the rule with `points` points, from those of its upper half.
+fn whole(half: &[(f64, f64)], points: usize) -> Vec<(f64, f64)> {
+    // The middle of an odd number of nodes stands only once.
+    let lower = half.iter().skip(points % 2).rev().map(|&(angle, weight)| (cos(PI - angle), weight));
+    lower.chain(half.iter().map(|&(angle, weight)| (cos(angle), weight))).collect()
 }
 
 /// Calls `f(x, weight)` for each point of a rule on [a, b].
@@ -79,7 +86,6 @@ fn largest_phase(n: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use core::f64::consts::PI;
 
     #[test]
     fn polynomials_up_to_degree_2n_minus_1_are_exact() {
