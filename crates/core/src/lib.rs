@@ -68,6 +68,7 @@ pub mod lagrange;
 pub mod library;
 pub mod modes;
 pub mod numerics;
+mod order;
 pub mod units;
 
 /// Version of this program, as in results and charts.

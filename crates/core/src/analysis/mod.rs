@@ -25,6 +25,7 @@ use crate::modes::{self, Mode, SolveError};
 use crate::numerics::eigen::EigenError;
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::{round, sqrt};
+use crate::order::ascending;
 use crate::units;
 use alloc::boxed::Box;
 use alloc::format;
@@ -317,13 +318,13 @@ pub fn summary(blade: &Blade) -> BladeSummary {
             inertia_kg_m2: if torsion { polar } else { second },
         }
     });
-    let mut stations: Vec<f64> = Dof::ALL
+    let stations: Vec<f64> = Dof::ALL
         .into_iter()
         .map(|dof| blade.stiffness(dof))
         .chain([blade.mass(), blade.polar_inertia(), blade.mass_offset()])
         .flat_map(|property| property.stations().iter().copied())
         .collect();
-    stations.sort_by(f64::total_cmp);
+    let mut stations = ascending(&stations);
     stations.dedup();
     BladeSummary {
         schema: "bladefan-check/1",

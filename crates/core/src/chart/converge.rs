@@ -192,12 +192,12 @@ fn draw_trace(sheet: &mut Sheet, style: &Style, panel: &Panel, trace: &Trace, va
     let dash = if piecewise { dash_array(&FAMILY_DASHES, style.unit) } else { String::new() };
     let attributes = [("class", class.as_str()), ("data-label", &label), ("data-family", trace.family.name())];
     let line = [&attributes[..], &[("stroke-dasharray", dash.as_str())]].concat();
-    sheet.layer(&line, |pen| {
+    sheet.layer(&line, &|pen| {
         for part in clip(&points, &panel.area) {
             pen.line(&part, colour, if piecewise { 1.1 } else { 1.5 } * style.unit);
         }
     });
-    sheet.layer(&attributes, |pen| {
+    sheet.layer(&attributes, &|pen| {
         for &point in points.iter().filter(|point| panel.area.holds_point(**point)) {
             if piecewise {
                 draw_piecewise_point(pen, style, point, colour);
@@ -211,7 +211,7 @@ fn draw_trace(sheet: &mut Sheet, style: &Style, panel: &Panel, trace: &Trace, va
 /// A thin line at the converged frequency.
 fn draw_level(sheet: &mut Sheet, style: &Style, panel: &Panel) {
     let Some(y) = panel.y.at(1.0) else { return };
-    sheet.layer(&[("class", "converged")], |pen| {
+    sheet.layer(&[("class", "converged")], &|pen| {
         pen.line(&[(panel.area.left, y), (panel.area.right, y)], style.palette.frame, 0.8);
     });
 }
@@ -226,7 +226,7 @@ fn draw_error_labels(sheet: &mut Sheet, style: &Style, panel: &Panel, traces: &[
         let colour = style.palette.dof(trace.series.dof);
         let target = target.min(panel.area.bottom);
         // Where piecewise functions go on to the right, a pale line leads from the curve to its label.
-        sheet.layer(&[("class", "leader")], |pen| {
+        sheet.layer(&[("class", "leader")], &|pen| {
             pen.line(&[(from, target), (panel.area.right, target)], style.palette.tone(colour, 0.35), 0.7 * style.unit);
         });
         ends.push(EndLabel {
@@ -268,7 +268,7 @@ fn draw_list(sheet: &mut Sheet, style: &Style, area: &Area, list: &[(String, Dof
     let first = area.top + 0.5 * style.small();
     let rows = ((area.bottom + style.small() - first) / line).max(1.0) as usize;
     let head = Face::new(style.small(), style.palette.muted, Anchor::Start);
-    sheet.layer(&[("class", "converged")], |pen| {
+    sheet.layer(&[("class", "converged")], &|pen| {
         pen.text((x, first + head.drop()), &list_head(unit), &head);
         for (row, (label, dof)) in list.iter().enumerate().take(rows.saturating_sub(1)) {
             let face = Face::new(style.tick(), style.palette.dof(*dof), Anchor::Start);
@@ -286,7 +286,7 @@ fn draw_paper_mark(sheet: &mut Sheet, style: &Style, panels: &[Panel; 2]) {
     let Some(x) = panels[0].x.at(PAPER_FUNCTIONS) else { return };
     let palette = &style.palette;
     let dash = dash_array(&[2.0, 3.0], style.unit);
-    sheet.layer(&[("class", "paper"), ("stroke-dasharray", &dash)], |pen| {
+    sheet.layer(&[("class", "paper"), ("stroke-dasharray", &dash)], &|pen| {
         for panel in panels {
             pen.line(&[(x, panel.area.top), (x, panel.area.bottom)], palette.nominal, 1.0 * style.unit);
         }
@@ -296,7 +296,7 @@ fn draw_paper_mark(sheet: &mut Sheet, style: &Style, panels: &[Panel; 2]) {
     let middle = x.min(style.width - 0.5 * style.margin() - half).max(panels[0].area.left + half);
     let face = Face::new(style.small(), palette.nominal, Anchor::Middle);
     let baseline = panels[0].area.top - 5.0 * style.unit;
-    sheet.layer(&[("class", "paper")], |pen| pen.text((middle, baseline), name, &face));
+    sheet.layer(&[("class", "paper")], &|pen| pen.text((middle, baseline), name, &face));
 }
 
 /// What the drawing cannot show.

@@ -150,7 +150,7 @@ impl Head {
     pub(super) fn draw(&self, sheet: &mut Sheet, style: &Style, left: f64) {
         let face = Face::new(style.title(), style.palette.text, Anchor::Start).bold();
         let baseline = style.margin() + 0.8 * style.title();
-        sheet.layer(&[("class", "title")], |pen| pen.text((left, baseline), &self.title, &face));
+        sheet.layer(&[("class", "title")], &|pen| pen.text((left, baseline), &self.title, &face));
         let first = style.margin() + 1.35 * style.title() + 0.5 * Self::row_height(style);
         for (number, row) in self.rows.iter().enumerate() {
             let middle = first + number as f64 * Self::row_height(style);
@@ -170,7 +170,7 @@ fn draw_entry(sheet: &mut Sheet, style: &Style, (x, y): Point, entry: &Entry) {
         _ => String::new(),
     };
     let middle = (x + 0.5 * length, y);
-    sheet.layer(&[("class", "key"), ("stroke-dasharray", &dash)], |pen| match entry.sign {
+    sheet.layer(&[("class", "key"), ("stroke-dasharray", &dash)], &|pen| match entry.sign {
         Sign::Branch(dof) => pen.line(&[(x, y), (x + length, y)], palette.dof(dof), 2.0 * style.unit),
         Sign::Colour(dof) => pen.line(&[(x, y), (x + length, y)], palette.dof(dof), 4.0 * style.unit),
         Sign::Family(family) => {
@@ -192,7 +192,7 @@ fn draw_entry(sheet: &mut Sheet, style: &Style, (x, y): Point, entry: &Entry) {
     });
     let face = Face::new(style.tick(), palette.text, Anchor::Start);
     let at = (x + length + 6.0 * style.unit, y + face.drop());
-    sheet.layer(&[("class", "key")], |pen| pen.text(at, &entry.text, &face));
+    sheet.layer(&[("class", "key")], &|pen| pen.text(at, &entry.text, &face));
 }
 
 /// Grey lines at the foot.
@@ -225,7 +225,7 @@ impl Foot {
     /// Draws the lines from `top` on.
     pub(super) fn draw(&self, sheet: &mut Sheet, style: &Style, left: f64, top: f64) {
         let face = Face::new(style.small(), style.palette.muted, Anchor::Start);
-        sheet.layer(&[("class", "notes")], |pen| {
+        sheet.layer(&[("class", "notes")], &|pen| {
             for (number, line) in self.lines.iter().enumerate() {
                 let baseline = top + (number as f64 + 0.5) * Self::row_height(style) + face.drop();
                 pen.text((left, baseline), line, &face);
@@ -255,7 +255,7 @@ pub(super) fn basis_text(basis: &BasisReport) -> String {
 /// Paints the background.
 pub(super) fn draw_background(sheet: &mut Sheet, style: &Style) {
     let corner = (sheet.width, sheet.height);
-    sheet.layer(&[("class", "background")], |pen| pen.rectangle((0.0, 0.0), corner, style.palette.background));
+    sheet.layer(&[("class", "background")], &|pen| pen.rectangle((0.0, 0.0), corner, style.palette.background));
 }
 
 /// "2F–5F" for runs of numbers, "2F, 4F" for others; in the order given.

@@ -104,7 +104,7 @@ impl Panel {
     /// Light lines at the ticks.
     pub(super) fn draw_grid(&self, sheet: &mut Sheet, style: &Style) {
         let Area { left, top, right, bottom } = self.area;
-        sheet.layer(&[("class", "grid")], |pen| {
+        sheet.layer(&[("class", "grid")], &|pen| {
             for x in self.x_ticks.iter().filter_map(|tick| self.x.at(tick.value)) {
                 pen.line(&[(x, top), (x, bottom)], style.palette.grid, 1.0);
             }
@@ -119,7 +119,7 @@ impl Panel {
         let Area { left, top, right, bottom } = self.area;
         let palette = &style.palette;
         let mark = 4.0 * style.unit;
-        sheet.layer(&[("class", "axes")], |pen| {
+        sheet.layer(&[("class", "axes")], &|pen| {
             pen.line(&[(left, top), (right, top), (right, bottom), (left, bottom), (left, top)], palette.frame, 0.8);
             for tick in &self.x_ticks {
                 let Some(x) = self.x.at(tick.value) else { continue };
@@ -211,7 +211,7 @@ pub(super) fn draw_end_labels(sheet: &mut Sheet, style: &Style, area: &Area, lab
     let reach = leader_length(style);
     for (label, place) in labels.iter().zip(&places) {
         let Some(y) = *place else { continue };
-        sheet.layer(&[("class", label.class), ("data-label", &label.text)], |pen| {
+        sheet.layer(&[("class", label.class), ("data-label", &label.text)], &|pen| {
             let face = Face::new(label.size(style), label.colour, Anchor::Start);
             let face = if label.bold { face.bold() } else { face };
             if (y - label.target).abs() > 1.0 {

@@ -96,10 +96,10 @@ fn draw_panel(sheet: &mut Sheet, style: &Style, report: &ShapesReport, dof: Dof,
     let Area { left, top, right, .. } = panel.area;
     let colour = style.palette.dof(dof);
     let caption = Face::new(style.label(), colour, Anchor::Start).bold();
-    sheet.layer(&[("class", "caption")], |pen| pen.text((left, top - 0.5 * style.label()), dof.name(), &caption));
+    sheet.layer(&[("class", "caption")], &|pen| pen.text((left, top - 0.5 * style.label()), dof.name(), &caption));
     panel.draw_grid(sheet, style);
     let zero = panel.y.at(0.0).map(|y| [(left, y), (right, y)]);
-    sheet.layer(&[("class", "zero")], |pen| {
+    sheet.layer(&[("class", "zero")], &|pen| {
         if let Some(zero) = &zero {
             pen.line(zero, style.palette.frame, 1.0);
         }
@@ -121,7 +121,7 @@ fn draw_panel(sheet: &mut Sheet, style: &Style, report: &ShapesReport, dof: Dof,
     // The first mode last, on top.
     for number in (0..shapes.len()).rev() {
         let (class, label) = (format!("shape {dof}"), text::clean(&shapes[number].label));
-        sheet.layer(&[("class", &class), ("data-label", &label)], |pen| {
+        sheet.layer(&[("class", &class), ("data-label", &label)], &|pen| {
             pen.line(&thin(&lines[number]), tones[number], 1.8 * style.unit);
             for node in nodes(&lines[number], panel) {
                 pen.disc(node, 3.8 * style.unit, style.palette.background);
@@ -149,7 +149,7 @@ fn draw_panel(sheet: &mut Sheet, style: &Style, report: &ShapesReport, dof: Dof,
         obstacles.lines[number].0 = own;
         let Some(area) = chosen else { continue };
         let at = (0.5 * (area.left + area.right), 0.5 * (area.top + area.bottom) + face.drop());
-        sheet.layer(&[("class", "shape-label"), ("data-label", &label)], |pen| {
+        sheet.layer(&[("class", "shape-label"), ("data-label", &label)], &|pen| {
             let inset = 1.0 * style.unit;
             let corner = (area.right - inset, area.bottom - inset);
             pen.rectangle((area.left + inset, area.top + inset), corner, style.palette.background);

@@ -37,7 +37,7 @@ impl Sheet {
     }
 
     /// Adds a group of what `draw` draws, unless it draws nothing.
-    pub(super) fn layer(&mut self, attributes: Attributes, draw: impl FnOnce(&Pen)) {
+    pub(super) fn layer(&mut self, attributes: Attributes, draw: &dyn Fn(&Pen)) {
         let mut svg = String::new();
         let size = (fine(self.width).unsigned_abs(), fine(self.height).unsigned_abs());
         // The backend closes its document when it is dropped.

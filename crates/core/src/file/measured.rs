@@ -61,7 +61,7 @@ pub fn read(text: &str) -> Result<Vec<MeasuredPoint>, Vec<Fault>> {
         let fault = Fault::new(FaultCode::Missing, "header", None, message, message);
         faults.push(Placed { at: Some(0), fault });
     }
-    if faults.is_empty() { Ok(points) } else { Err(in_order(text, faults)) }
+    if faults.is_empty() { Ok(points) } else { Err(in_order(text, &faults)) }
 }
 
 fn start(record: &StringRecord) -> usize {

@@ -87,7 +87,7 @@ pub fn read(text: &str, format: Format) -> Result<BladeFile, Vec<Fault>> {
         Format::Toml => from_toml::tree(text),
         Format::Json => from_json::tree(text),
     };
-    tree.and_then(|tree| read_placed(&tree)).map_err(|faults| in_order(text, faults))
+    tree.and_then(|tree| read_placed(&tree)).map_err(|faults| in_order(text, &faults))
 }
 
 /// Reads a blade from an object that came from elsewhere, JavaScript say, in the file's keys.

@@ -2,6 +2,7 @@
 
 use super::tree::{Node, Tree};
 use crate::fault::{Fault, FaultCode};
+use crate::order::order;
 use alloc::collections::BTreeSet;
 use alloc::format;
 use alloc::string::String;
@@ -9,6 +10,7 @@ use alloc::vec::Vec;
 use core::iter;
 
 /// A fault and the byte of the text it stands at.
+#[derive(Clone)]
 pub(super) struct Placed {
     pub(super) at: Option<usize>,
     pub(super) fault: Fault,
@@ -36,14 +38,16 @@ pub(super) fn find(tree: &Tree, path: &str) -> Option<usize> {
 }
 
 /// Orders faults by place and gives each its line and column, both from 1, columns in characters.
-pub(super) fn in_order(text: &str, mut faults: Vec<Placed>) -> Vec<Fault> {
-    faults.sort_by_key(|placed| placed.at);
+pub(super) fn in_order(text: &str, faults: &[Placed]) -> Vec<Fault> {
+    // Those without a place first.
+    let places: Vec<f64> = faults.iter().map(|placed| placed.at.map_or(-1.0, |at| at as f64)).collect();
     let (mut line, mut column, mut reached) = (1_u32, 1_u32, 0);
     let mut rest = text.chars();
     // One walk through the text for all faults, which may be many on one long line.
-    faults
+    order(&places)
         .into_iter()
-        .map(|Placed { at, mut fault }| {
+        .map(|index| {
+            let Placed { at, mut fault } = faults[index].clone();
             let Some(at) = at else { return fault };
             while reached < at.min(text.len()) {
                 let Some(c) = rest.next() else { break };
@@ -65,7 +69,9 @@ pub(super) fn in_order(text: &str, mut faults: Vec<Placed>) -> Vec<Fault> {
 /// Leaves out what the check found only because the reader had already refused a value: the same
 /// path, a path below it, or something missing or unreadable around it.
 pub(super) fn drop_consequences(found: Vec<Fault>, refused: &[Placed]) -> Vec<Fault> {
-    let refused: BTreeSet<&str> = refused.iter().map(|placed| placed.fault.path.as_str()).collect();
+    let paths = refused.iter().map(|placed| placed.fault.path.as_str());
+    let mut refused: BTreeSet<&str> = BTreeSet::new();
+    refused.extend(paths); // collecting would sort: more code for a page to load
     let starts_below = |path: &str, separator: char| {
         let prefix = format!("{path}{separator}");
         refused.range(prefix.as_str()..).next().is_some_and(|next| next.starts_with(&prefix))

@@ -5,6 +5,7 @@
 //! loses the low modes in the rounding of the high ones (docs/THEORY.md).
 
 use crate::numerics::scalar::sqrt;
+use crate::order::order;
 use alloc::vec::Vec;
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
@@ -72,9 +73,8 @@ pub fn lowest_values(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Option
     if a.iter().any(|v| !v.is_finite()) {
         return None;
     }
-    let mut inverse: Vec<f64> = a.symmetric_eigenvalues().iter().copied().collect();
-    inverse.sort_by(|a, b| f64::total_cmp(b, a));
-    inverse.truncate(count);
+    let values = a.symmetric_eigenvalues();
+    let inverse: Vec<f64> = descending(values.as_slice()).into_iter().take(count).map(|i| values[i]).collect();
     let plain = inverse.len() == count && inverse.iter().all(|v| *v * SPREAD_FOR_VALUES > inverse[0]);
     plain.then(|| inverse.iter().map(|v| 1.0 / v).collect())
 }
@@ -133,9 +133,9 @@ fn elastic(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<Eigen, Ei
     if wanted > 1 && inverse[0] > SPREAD_FOR_SHIFT * inverse[1] {
         // The first mode lies far below the rest: with G + σM, σ about λ₂, those have full accuracy.
         // The diagonal's Rayleigh quotients tell the size of λ₂.
-        let mut quotients: Vec<f64> = m.diagonal().iter().filter(|&&d| d > 0.0).map(|d| 1.0 / d).collect();
-        quotients.sort_by(f64::total_cmp);
-        if let Some(&sigma) = quotients.get(1) {
+        let quotients: Vec<f64> = m.diagonal().iter().filter(|&&d| d > 0.0).map(|d| 1.0 / d).collect();
+        if let Some(&second) = order(&quotients).get(1) {
+            let sigma = quotients[second];
             let (shifted, apart) = largest_inverse(&(&g + &m * sigma), &m, wanted)?;
             for mode in 1..wanted {
                 inverse[mode] = 1.0 / (1.0 / shifted[mode] - sigma);
@@ -173,8 +173,7 @@ fn ascending(modes: Eigen) -> Eigen {
     if modes.values.is_sorted() {
         return modes;
     }
-    let mut order: Vec<usize> = (0..modes.values.len()).collect();
-    order.sort_by(|&i, &j| f64::total_cmp(&modes.values[i], &modes.values[j]));
+    let order = order(&modes.values);
     Eigen {
         values: order.iter().map(|&i| modes.values[i]).collect(),
         vectors: modes.vectors.select_columns(&order),
@@ -191,8 +190,7 @@ fn largest_inverse(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<(
     if eigen.eigenvalues.iter().any(|v| !v.is_finite()) {
         return Err(EigenError::NotConverged);
     }
-    let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by(|&i, &j| f64::total_cmp(&eigen.eigenvalues[j], &eigen.eigenvalues[i]));
+    let order = descending(eigen.eigenvalues.as_slice());
     let floor = NOTHING * order.first().map_or(0.0, |&i| eigen.eigenvalues[i]);
     let mut values = Vec::with_capacity(count);
     let mut vectors = DMatrix::zeros(n, count);
@@ -205,6 +203,12 @@ fn largest_inverse(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<(
         return Err(EigenError::NotPositiveDefinite);
     }
     Ok((values, vectors))
+}
+
+/// Indices of `values`, the largest first; of equal ones, in their order.
+fn descending(values: &[f64]) -> Vec<usize> {
+    let negated: Vec<f64> = values.iter().map(|v| -v).collect();
+    order(&negated)
 }
 
 /// S A S with S = diag(scale).

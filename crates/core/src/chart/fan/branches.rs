@@ -78,7 +78,7 @@ pub(super) fn draw(sheet: &mut Sheet, style: &Style, curve: &Curve) {
     let dash = dash_array(dashes(branch.dof), style.unit);
     let (class, label) = (alloc::format!("branch {}", branch.dof), text::clean(&branch.label));
     let attributes = [("class", class.as_str()), ("data-label", label.as_str()), ("stroke-dasharray", dash.as_str())];
-    sheet.layer(&attributes, |pen| {
+    sheet.layer(&attributes, &|pen| {
         for part in &curve.parts {
             pen.line(part, style.palette.dof(branch.dof), 2.0 * style.unit);
         }

@@ -56,7 +56,7 @@ pub(super) fn draw(sheet: &mut Sheet, style: &Style, marks: &[Mark], obstacles: 
         obstacles.boxes.push(Area { left: x - half, top: y - half, right: x + half, bottom: y + half });
     }
     for mark in marks {
-        sheet.layer(&[("class", "crossing"), ("data-label", &mark.label), ("data-crossing", &mark.name)], |pen| {
+        sheet.layer(&[("class", "crossing"), ("data-label", &mark.label), ("data-crossing", &mark.name)], &|pen| {
             pen.disc(mark.at, radius, palette.background);
             pen.circle(mark.at, radius, palette.text, 1.3 * style.unit);
         });
@@ -94,5 +94,5 @@ pub(super) fn draw_haloed(
         ("stroke-width", &width),
         ("paint-order", "stroke"),
     ];
-    sheet.layer(&attributes, |pen| pen.text(at, name, face));
+    sheet.layer(&attributes, &|pen| pen.text(at, name, face));
 }

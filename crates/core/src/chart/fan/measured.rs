@@ -45,7 +45,7 @@ impl Measured {
     pub(super) fn draw(&self, sheet: &mut Sheet, style: &Style) {
         for (at, source, colour, label) in &self.points {
             let attributes = [("class", "measured"), ("data-label", label), ("data-source", &self.sources[*source])];
-            sheet.layer(&attributes, |pen| Marker::of_source(*source).draw(pen, style, *at, *colour));
+            sheet.layer(&attributes, &|pen| Marker::of_source(*source).draw(pen, style, *at, *colour));
         }
     }
 

@@ -139,7 +139,7 @@ fn draw_band(sheet: &mut Sheet, style: &Style, chart: &FanChart, band: (f64, f64
     let edge = |ratio: f64| panel.x.at(units.speed(ratio * chart.nominal.speed_rad_s)).map(|x| x.clamp(left, right));
     let (Some(from), Some(to)) = (edge(band.0), edge(band.1)) else { return };
     if to - from > 0.1 {
-        sheet.layer(&[("class", "band")], |pen| pen.rectangle((from, top), (to, bottom), style.palette.band));
+        sheet.layer(&[("class", "band")], &|pen| pen.rectangle((from, top), (to, bottom), style.palette.band));
     }
 }
 
@@ -160,7 +160,7 @@ fn draw_nominal(
     let half = 0.5 * text::width(&name, style.small(), false);
     let face = Face::new(style.small(), style.palette.nominal, Anchor::Middle);
     let middle = x.max(area.left + half).min(style.width - 0.5 * style.margin() - half);
-    sheet.layer(&[("class", "nominal")], |pen| {
+    sheet.layer(&[("class", "nominal")], &|pen| {
         pen.line(&line, style.palette.nominal, 1.0 * style.unit);
         pen.text((middle, baseline), &name, &face);
     });

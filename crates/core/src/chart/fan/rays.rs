@@ -88,7 +88,7 @@ pub(super) fn draw(sheet: &mut Sheet, style: &Style, rays: &[Ray]) {
     for (class, blade, colour, width) in
         [("ray", false, palette.ray, 0.9), ("ray blade-ray", true, palette.blade_ray, 1.2)]
     {
-        sheet.layer(&[("class", class)], |pen| {
+        sheet.layer(&[("class", class)], &|pen| {
             for ray in rays.iter().filter(|ray| ray.blade == blade) {
                 pen.line(&ray.ends, colour, width * style.unit);
             }
@@ -146,7 +146,7 @@ pub(super) fn draw_top_labels(
     for ((target, label, face, _, class), place) in labels.iter().zip(places) {
         let Some(x) = place else { continue };
         let foot = area.top - TOP_GAP * style.unit;
-        sheet.layer(&[("class", class), ("data-label", label)], |pen| {
+        sheet.layer(&[("class", class), ("data-label", label)], &|pen| {
             if (x - target).abs() > 1.0 {
                 let bend = [(*target, area.top - 1.0), (x, foot + 1.5 * style.unit)];
                 pen.line(&bend, style.palette.tone(face.colour, 0.6), 0.8);
