@@ -14,9 +14,9 @@ use crate::options::Analysis;
 use crate::reply::reply;
 use bladefan_core::analysis::{self, ConvergeReport, FanChart, ShapesReport};
 use bladefan_core::blade::{self, Blade};
-use bladefan_core::chart::{self, Drawing, FrequencyUnit};
+use bladefan_core::chart::{self, Drawing, FrequencyUnit, PlotArea};
 use bladefan_core::fault::{Fault, FaultCode};
-use bladefan_core::file::{self, BladeFile, Format};
+use bladefan_core::file::{self, BladeFile, Format, Tree};
 use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit};
 use bladefan_core::{VERSION, library};
 use serde::Serialize;
@@ -28,9 +28,17 @@ const TYPES: &str = include_str!("types.ts");
 /// A drawing and what it shows, so that a page that draws need not solve again.
 #[derive(Serialize)]
 struct Drawn {
-    #[serde(flatten)]
-    drawing: Drawing,
+    svg: String,
+    width: f64,
+    height: f64,
+    plots: Vec<PlotArea>,
     report: Report,
+}
+
+impl Drawn {
+    fn new(Drawing { svg, width, height, plots }: Drawing, report: Report) -> Self {
+        Self { svg, width, height, plots, report }
+    }
 }
 
 /// The result behind a drawing.
@@ -77,15 +85,11 @@ pub fn convert_blade(
     #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Units")] units: &JsValue,
 ) -> Answer {
-    let read = |value, name| tree::tree(value, name).map_err(|fault| vec![fault]);
-    let given = read(blade, "blade").and_then(|tree| file::read_definition(&tree));
+    let given = read_tree(blade, "blade").and_then(|tree| file::read_definition(&tree));
     // The blade's own units stand in for absent ones; without a blade the faults are the same.
     let own = given.as_ref().map(|definition| definition.units).unwrap_or_default();
-    let units = read(units, "units").and_then(|tree| file::read_units(&tree, own));
-    reply(match (given, units) {
-        (Ok(given), Ok(units)) => Ok((blade::convert(&given, units), Vec::new())),
-        (given, units) => Err([given.err(), units.err()].into_iter().flatten().flatten().collect()),
-    })
+    let units = read_tree(units, "units").and_then(|tree| file::read_units(&tree, own));
+    reply(both(given, units).map(|(given, units)| (blade::convert(&given, units), Vec::new())))
 }
 
 /// Frequencies of every degree of freedom at one rotor speed.
@@ -157,15 +161,15 @@ pub fn chart_svg(
         Ok(match analysis {
             Analysis::Shapes => {
                 let report = analysis::shapes(blade, settings)?;
-                Drawn { drawing: chart::shapes(&report, &looks), report: Report::Shapes(report) }
+                Drawn::new(chart::shapes(&report, &looks), Report::Shapes(report))
             }
             Analysis::Converge => {
                 let report = analysis::converge(blade, settings)?;
-                Drawn { drawing: chart::converge(&report, &looks), report: Report::Converge(report) }
+                Drawn::new(chart::converge(&report, &looks), Report::Converge(report))
             }
             _ => {
                 let report = analysis::fan(blade, settings)?;
-                Drawn { drawing: chart::fan(&report, &looks), report: Report::Fan(report) }
+                Drawn::new(chart::fan(&report, &looks), Report::Fan(report))
             }
         })
     })
@@ -186,10 +190,7 @@ pub fn compare(
     #[wasm_bindgen(unchecked_optional_param_type = "CompareOptions")] options: &JsValue,
 ) -> Answer {
     let points = string(csv, "csv").and_then(|text| file::measured::read(&text));
-    let given = match (points, options::settings(options, Analysis::Compare)) {
-        (Ok(points), Ok(settings)) => Ok((points, settings)),
-        (points, settings) => Err([points.err(), settings.err()].into_iter().flatten().flatten().collect()),
-    };
+    let given = both(points, options::settings(options, Analysis::Compare));
     solve(blade, given, |blade, (points, settings)| analysis::compare(blade, points, settings))
 }
 
@@ -274,11 +275,28 @@ fn with<S, R: Serialize>(
     settings: Result<S, Vec<Fault>>,
     answer: impl FnOnce(&BladeFile, &S) -> Result<R, Vec<Fault>>,
 ) -> Answer {
-    let file = tree::tree(blade, "blade").map_err(|fault| vec![fault]).and_then(|tree| file::read_tree(&tree));
-    reply(match (file, settings) {
-        (Ok(file), Ok(settings)) => answer(&file, &settings).map(|result| (result, file.blade.warnings().to_vec())),
-        (file, settings) => Err([file.err(), settings.err()].into_iter().flatten().flatten().collect()),
-    })
+    reply(both(read_blade(blade), settings).and_then(|(file, settings)| {
+        let result = answer(&file, &settings)?;
+        Ok((result, file.blade.warnings().to_vec()))
+    }))
+}
+
+/// Both, or the faults of both.
+fn both<A, B>(a: Result<A, Vec<Fault>>, b: Result<B, Vec<Fault>>) -> Result<(A, B), Vec<Fault>> {
+    match (a, b) {
+        (Ok(a), Ok(b)) => Ok((a, b)),
+        (a, b) => Err([a.err().unwrap_or_default(), b.err().unwrap_or_default()].concat()),
+    }
+}
+
+fn read_tree(value: &JsValue, name: &str) -> Result<Tree, Vec<Fault>> {
+    tree::tree(value, name).map_err(|fault| vec![fault])
+}
+
+// Not into every export that takes a blade.
+#[inline(never)]
+fn read_blade(blade: &JsValue) -> Result<Box<BladeFile>, Vec<Fault>> {
+    read_tree(blade, "blade").and_then(|tree| file::read_tree(&tree)).map(Box::new)
 }
 
 fn read_text(text: &JsValue, format: &JsValue) -> Result<BladeFile, Vec<Fault>> {
