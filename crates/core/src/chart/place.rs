@@ -28,12 +28,12 @@ impl Obstacles {
                 (beside(point, size, distance, right, down), 0.6 * far as f64 + 0.05 * late as f64)
             })
         });
-        self.choose(candidates, f64::INFINITY)
+        self.choose(candidates.collect(), f64::INFINITY)
     }
 
     /// Of areas with costs of their own the one that covers least besides, now an obstacle itself;
     /// none where all of them cover another label, leave the frame or cost more than `most`.
-    pub(super) fn choose(&mut self, candidates: impl Iterator<Item = (Area, f64)>, most: f64) -> Option<Area> {
+    pub(super) fn choose(&mut self, candidates: Vec<(Area, f64)>, most: f64) -> Option<Area> {
         let mut best: Option<(f64, Area)> = None;
         for (area, own) in candidates {
             if !self.frame.holds(&area) || self.boxes.iter().any(|other| other.overlaps(&area)) {

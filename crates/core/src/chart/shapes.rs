@@ -145,7 +145,7 @@ fn draw_panel(sheet: &mut Sheet, style: &Style, report: &ShapesReport, dof: Dof,
         let size = (text::width(&label, face.size, true) + 4.0 * style.unit, 1.1 * face.size);
         // A label may stand on its own line.
         let own = core::mem::take(&mut obstacles.lines[number].0);
-        let chosen = obstacles.choose(label_areas(line, panel, size, 3.0 * style.unit).into_iter(), MOST_COVERED);
+        let chosen = obstacles.choose(label_areas(line, panel, size, 3.0 * style.unit), MOST_COVERED);
         obstacles.lines[number].0 = own;
         let Some(area) = chosen else { continue };
         let at = (0.5 * (area.left + area.right), 0.5 * (area.top + area.bottom) + face.drop());

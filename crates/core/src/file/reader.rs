@@ -193,18 +193,23 @@ impl Reader {
         subject: &str,
         code: FaultCode,
         all: &[C],
-        name: impl Fn(C) -> &'static str,
+        name: fn(C) -> &'static str,
     ) -> Option<C> {
+        let names: Vec<&str> = all.iter().map(|&choice| name(choice)).collect();
+        self.word(table, key, subject, code, &names).map(|index| all[index])
+    }
+
+    /// Which one of some words.
+    fn word(&mut self, table: &Table, key: &str, subject: &str, code: FaultCode, names: &[&str]) -> Option<usize> {
         let tree = table.get(key)?;
         let Node::Text(given) = &tree.node else {
             self.wrong_type(&table.path(key), tree, "must be text");
             return None;
         };
-        let found = all.iter().copied().find(|&choice| name(choice) == given);
+        let found = names.iter().position(|name| name == given);
         if found.is_none() {
-            let names: Vec<&str> = all.iter().map(|&choice| name(choice)).collect();
             let given = clipped(given);
-            self.push(tree.at(), choice_fault(code, &table.path(key), subject, &given, &names));
+            self.push(tree.at(), choice_fault(code, &table.path(key), subject, &given, names));
         }
         found
     }
