@@ -1,0 +1,46 @@
+// Keeps the page working without a network: what was loaded once is kept, the network comes first.
+
+const CACHE = "bladefan";
+/** All that the page is made of, beside the package. tests/web/offline.test.mjs holds it to the folder. */
+const FILES = [
+  "./", "icon.svg", "blade.css", "chart.css", "motion.css", "print.css", "stations.css", "style.css", "band.js",
+  "before.js", "blade.js", "chart-data.js", "chart-tools.js", "chart.js", "client.js", "close-tools.js",
+  "columns.js", "document.js", "dom.js", "download.js", "editor.js", "form.js", "format.js", "frame.js", "hover.js",
+  "lesson.js", "main.js", "measured.js", "motion.js", "nearness.js", "pack.js", "paste-panel.js", "paste.js",
+  "plate.js", "profile.js", "report.js", "save.js", "scale.js", "sensitivity.js", "session.js", "shape.js",
+  "share.js", "sheet-editor.js", "sheet-keys.js", "sheet.js", "solve.js", "span-forms.js", "span.js", "speed.js",
+  "state.js", "stations-faults.js", "stations-parts.js", "stations.js", "table.js", "theme.js", "units.js",
+  "view.js", "what-if.js", "worker.js", "zoom.js",
+];
+const ENTRY = "pkg/bladefan_wasm.js";
+
+/** The package's own files: its entry names the folder of this version. */
+async function packageFiles() {
+  const text = await (await fetch(ENTRY)).text();
+  const folder = /"\.\/([0-9a-f]+)\/bladefan_wasm\.js"/.exec(text)?.[1];
+  const at = folder === undefined ? "pkg" : `pkg/${folder}`;
+  return [ENTRY, `${at}/bladefan_wasm.js`, `${at}/bladefan_wasm_bg.wasm`];
+}
+
+async function fill() {
+  const cache = await caches.open(CACHE);
+  await cache.addAll([...new Set([...FILES, ...(await packageFiles())])]);
+}
+
+async function answer(request) {
+  try {
+    const response = await fetch(request);
+    if (response.ok) (await caches.open(CACHE)).put(request, response.clone());
+    return response;
+  } catch (error) {
+    const kept = await caches.match(request, { ignoreSearch: true });
+    if (kept) return kept;
+    throw error;
+  }
+}
+
+addEventListener("install", (event) => event.waitUntil(fill()));
+addEventListener("activate", (event) => event.waitUntil(clients.claim()));
+addEventListener("fetch", (event) => {
+  if (event.request.method === "GET" && new URL(event.request.url).origin === location.origin) event.respondWith(answer(event.request));
+});
