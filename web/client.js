@@ -16,6 +16,7 @@ export class Client {
   #startWorker;
   #onBusy;
   #limits;
+  #late;
   #worker = null;
   #ready = false;
   #failure = null;
@@ -28,11 +29,14 @@ export class Client {
   /**
    * @param startWorker makes a new worker (a function, so that tests can hand in their own)
    * @param onBusy called with true when work takes a while, with false when it is over
+   * @param late lanes whose running call still gets its answer when a newer one waits, so that
+   *   results keep coming while inputs change faster than they are solved
    */
-  constructor(startWorker, { onBusy = () => {}, stuckMs = STUCK_MS, supersededMs = SUPERSEDED_MS } = {}) {
+  constructor(startWorker, { onBusy = () => {}, stuckMs = STUCK_MS, supersededMs = SUPERSEDED_MS, late = [] } = {}) {
     this.#startWorker = startWorker;
     this.#onBusy = onBusy;
     this.#limits = { stuckMs, supersededMs };
+    this.#late = late;
     this.#start();
   }
 
@@ -93,7 +97,7 @@ export class Client {
       this.#replace(); // after a panic the old instance cannot be trusted
     } else {
       this.#running = null;
-      request.resolve(request.stale ? null : message.result);
+      request.resolve(request.stale && !this.#late.includes(request.lane) ? null : message.result);
     }
     this.#next();
   }

@@ -1,2 +1,11 @@
 /** The element of this id. */
 export const at = (id) => document.getElementById(id);
+
+/** A new element with these properties; `dataset` and `aria` are tables of their own. */
+export function make(tag, { dataset, aria, ...properties } = {}, ...children) {
+  const made = Object.assign(document.createElement(tag), properties);
+  Object.assign(made.dataset, dataset);
+  for (const [name, value] of Object.entries(aria ?? {})) made.setAttribute(name === "role" ? name : `aria-${name}`, value);
+  made.append(...children);
+  return made;
+}

@@ -62,17 +62,17 @@ function percent(value, reference) {
   return Number.isFinite(error) ? error : null;
 }
 
-/** The drawing as a PNG of twice its size. */
-export async function png(drawing) {
-  const scale = 2;
+/** The drawing as a PNG, `width` pixels wide. */
+export async function png(drawing, width) {
+  const scale = width / drawing.width;
   const image = new Image();
   const url = URL.createObjectURL(new Blob([drawing.svg], { type: "image/svg+xml" }));
   try {
     image.src = url;
     await image.decode();
     const canvas = document.createElement("canvas");
-    canvas.width = drawing.width * scale;
-    canvas.height = drawing.height * scale;
+    canvas.width = Math.round(width);
+    canvas.height = Math.round(drawing.height * scale);
     canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
     return await new Promise((resolve, reject) => {
       canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the picture could not be made"))), "image/png");

@@ -18,9 +18,8 @@ export function fieldNumber(value, digits = 5) {
 }
 
 /** "0.31 below 3P", with a unit after the number where one is given; nothing is known at rest. */
-export function marginWords(margin, unit = "") {
-  if (margin === undefined) return "–";
-  const { nearest_harmonic: harmonic, margin_per_rev: distance } = margin;
+export function marginWords({ nearest_harmonic: harmonic, margin_per_rev: distance }, unit = "") {
+  if (harmonic === null) return "–";
   const size = Math.abs(distance);
   if (size < 5e-5) return `on ${harmonic}P`;
   const words = size < 0.01 ? size.toFixed(4) : size.toFixed(2);

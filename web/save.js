@@ -3,34 +3,39 @@
 import { at } from "./dom.js";
 import { convergeCsv, download, fanCsv, fileName, png, shapesCsv } from "./download.js";
 import { textFormat } from "./format.js";
-import { optionsOf } from "./solve.js";
+
+/** The width asked for, held to what a canvas takes. */
+const pngWidth = () => Math.min(8000, Math.max(320, Math.round(Number(at("png-width").value)) || 1920));
 
 const tables = { fan: fanCsv, shapes: shapesCsv, converge: convergeCsv };
 
 /** Makes the menu work. */
-export function startSaving(store, client, editor) {
+export function startSaving(store, client, say) {
   const named = (what, extension) => fileName(store.get().blade?.name ?? "", what, extension);
 
-  /** What the open tab shows, as numbers. */
-  async function report() {
-    const { tab, blade } = store.get();
-    const result = await client.call("report", tab, blade, optionsOf(tab, store.get()));
-    if (result?.status === "error") store.set({ solveFaults: result.faults });
-    return result?.status === "ok" ? result.value : null;
+  /** The blade as its author's text where that is unchanged, else written anew; JSON holds faulty values, too. */
+  async function bladeText(format) {
+    const { doc, text } = store.get();
+    if (text !== null && textFormat(text) === format) return text;
+    const written = await client.call("save", "write_blade", doc, format);
+    if (written?.status === "ok") return written.value;
+    if (format === "json") return `${JSON.stringify(doc, null, 1)}\n`;
+    say("The blade has faults and cannot be saved as TOML yet; as JSON it is saved as it stands.");
+    return null;
+  }
+
+  async function saveBlade(format) {
+    const text = await bladeText(format);
+    if (text !== null) download(fileName(store.get().doc?.name ?? "", "", format), text, "text/plain");
   }
 
   const files = {
     svg: ({ drawing }) => download(named(drawing.kind, "svg"), drawing.svg, "image/svg+xml"),
-    png: async ({ drawing }) => download(named(drawing.kind, "png"), await png(drawing)),
-    csv: async ({ tab }) => {
-      const value = await report();
-      if (value) download(named(tab, "csv"), tables[tab](value), "text/csv");
-    },
-    json: async ({ tab }) => {
-      const value = await report();
-      if (value) download(named(tab, "json"), JSON.stringify(value, null, 1) + "\n", "application/json");
-    },
-    blade: () => download(named("", textFormat(editor.value)), editor.value, "text/plain"),
+    png: async ({ drawing }) => download(named(drawing.kind, "png"), await png(drawing, pngWidth())),
+    csv: ({ drawing: { kind, report } }) => download(named(kind, "csv"), tables[kind](report), "text/csv"),
+    json: ({ drawing: { kind, report } }) => download(named(kind, "json"), `${JSON.stringify(report, null, 1)}\n`, "application/json"),
+    toml: () => saveBlade("toml"),
+    "json-blade": () => saveBlade("json"),
   };
   const menu = at("download");
   for (const [what, make] of Object.entries(files)) {

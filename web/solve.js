@@ -1,83 +1,100 @@
 // Keeps results in step with the state: what changed decides what is solved again.
 
+import { isNeutral, scaled } from "./scale.js";
+
+/** Keys of the blade file: a fault whose path starts with one is the blade's, others are options'. */
+const BLADE_KEYS = /^(schema|name|notes|source|units|rotor|flap|lag|torsion|distribution)\b/;
+
+const NONE = [];
+
+/** What the tab draws: the fan chart stays in sight beside the tables and texts of the blade. */
+export const kindOf = (tab) => (tab === "shapes" || tab === "converge" ? tab : "fan");
+
 /** Options of the package for this state, by analysis; the speed as the user gave it, nominal where not. */
-export function optionsOf(analysis, { options, speed }) {
-  const { modes, functions, harmonics } = options;
+export function optionsOf(analysis, { options, speed, band, window }) {
+  const { modes, functions, harmonics, basis } = options;
   const at = { modes, speed: speed === null ? null : `${speed.value}${speed.unit}` };
-  if (analysis === "fan") return { modes, functions, harmonics };
+  if (analysis === "fan") return { modes, functions, harmonics, basis, band, speeds: window?.speeds };
   if (analysis === "converge") return at;
-  return { ...at, functions };
+  return { ...at, functions, basis };
 }
+
+/** Options of a drawing for this state. */
+export function looksOf(kind, state) {
+  const { theme, width, height, speedUnit: speed_unit, frequencyUnit: frequency_unit, dofs, closeDofs, measured, window } = state;
+  const looks = { ...optionsOf(kind, state), theme, width, speed_unit, frequency_unit };
+  if (kind !== "fan") return { ...looks, dof: closeDofs };
+  return { ...looks, height, dof: dofs, measured: measured || null, frequencies: window?.frequencies };
+}
+
+/** A result that came late is of use while it is of this blade and of what is looked at now. */
+const isOf = (state, now) => state.opened === now.opened && kindOf(state.tab) === kindOf(now.tab);
 
 /** Starts solving: every change of the state's inputs leads to new results in the state. */
 export function startSolving(store, client) {
-  const faultsOf = { fan: [], modes: [], draw: [] };
+  const faultsOf = { modes: [], draw: [] };
 
   /** Takes a result of one lane into the state; a superseded one (null) is dropped. */
-  function take(lane, result, accept) {
+  function take(lane, solved, result, accept) {
     if (result === null) return;
     faultsOf[lane] = result.status === "ok" ? [] : result.faults;
     const all = Object.values(faultsOf).flat();
     const distinct = all.filter((fault, i) => all.findIndex((f) => f.path === fault.path && f.message === fault.message) === i);
-    store.set({ solveFaults: distinct, ...(result.status === "ok" ? accept(result.value) : {}) });
+    // The same empty list each time, so that nobody hears of a change where there is none.
+    const only = (good) => (distinct.length === 0 ? NONE : distinct.filter(good));
+    const faults = only((fault) => BLADE_KEYS.test(fault.path));
+    const solveFaults = only((fault) => !BLADE_KEYS.test(fault.path));
+    store.set({ faults, solveFaults, ...(result.status === "ok" ? { blade: solved, warnings: result.warnings.length === 0 ? NONE : result.warnings, ...accept(result.value) } : {}) });
   }
 
-  async function parse(text) {
-    const result = await client.call("parse", "parse_blade", text);
-    if (result === null) return;
-    if (result.status === "ok") store.set({ blade: result.value, faults: [], warnings: result.warnings });
-    else store.set({ faults: result.faults, warnings: [] });
-  }
-
-  async function fan(state) {
-    take("fan", await client.call("fan", "fan", state.blade, optionsOf("fan", state)), (value) => ({ fan: value }));
-  }
-
-  async function modes(state) {
+  async function modes(state, solved) {
+    const asked = { opened: state.opened, tab: state.tab };
     const { speed } = state;
-    const options = optionsOf("modes", state);
-    const [found, margins] = await Promise.all([
-      client.call("modes", "modes", state.blade, options),
-      client.call("margins", "margins", state.blade, options),
-    ]);
-    if (found === null || margins === null) return;
-    take("modes", found.status === "ok" ? margins : found, (value) => ({
-      modes: found.value,
-      margins: value,
-      solvedSpeed: speed,
+    const result = await client.call("modes", "modes", solved, optionsOf("modes", state));
+    if (asked.opened === store.get().opened) take("modes", solved, result, (value) => ({ modes: value, solvedSpeed: speed }));
+  }
+
+  // The frequency axis stays while what-if moves the branches: else it is the axis that seems to move.
+  let held = { axis: null };
+
+  async function draw(state, solved) {
+    const asked = { opened: state.opened, tab: state.tab };
+    const kind = kindOf(state.tab);
+    const looks = looksOf(kind, state);
+    const ours = held;
+    if (kind === "fan" && state.window === null) looks.frequencies = held.axis;
+    const result = await client.call("draw", "chart_svg", kind, solved, looks);
+    if (kind === "fan" && state.window === null && result?.status === "ok") {
+      const { from, to } = result.value.plots[0].y;
+      ours.axis ??= [from, to];
+    }
+    if (isOf(asked, store.get())) take("draw", solved, result, ({ report, ...drawing }) => ({
+      drawing: { kind, name: report.blade, ...drawing, report },
+      ...(kind === "fan" ? { fan: report } : {}),
     }));
   }
 
-  async function draw(state) {
-    const kind = state.tab;
-    const name = state.blade.name;
-    const { theme, width, speedUnit: speed_unit, frequencyUnit: frequency_unit } = state;
-    const options = { ...optionsOf(kind, state), theme, width, speed_unit, frequency_unit };
-    const result = await client.call("draw", "chart_svg", kind, state.blade, options);
-    take("draw", result, (value) => ({ drawing: { kind, name, ...value } }));
-  }
-
-  /** The shapes of the chosen mode's degree of freedom, beside the table. */
-  async function drawSide(state) {
-    const { chosen, theme, sideWidth: width, speedUnit: speed_unit } = state;
-    const { dof } = state.modes.modes.find((mode) => mode.label === chosen) ?? state.modes.modes[0];
-    const options = { ...optionsOf("shapes", state), dof, theme, width, speed_unit };
-    const name = `${dof} mode shapes of ${state.blade.name}`;
-    const result = await client.call("side", "chart_svg", "shapes", state.blade, options);
-    // Its faults are those of the modes.
-    if (result?.status === "ok") store.set({ side: { name, ...result.value } });
+  /** The blade without what-if, to compare with: its fan chart over the same speeds. */
+  async function before(state) {
+    const result = await client.call("before", "fan", state.doc, { ...optionsOf("fan", state), dof: state.dofs });
+    if (result?.status === "ok") store.set({ before: result.value });
   }
 
   store.subscribe((state, changed) => {
     const any = (...keys) => keys.some((key) => changed.has(key));
-    if (any("text")) parse(state.text);
-    if (state.blade === null || state.width === 0) return;
-    const solves = any("blade", "options") || any("width") && state.fan === null;
-    const looks = any("tab", "theme", "width", "speedUnit", "frequencyUnit");
-    if (solves || looks || (state.tab !== "fan" && any("speed"))) draw(state);
-    if (solves || any("speed")) modes(state);
-    if (solves) fan(state);
-    const beside = state.sideWidth > 0 && state.tab !== "shapes" && state.modes !== null;
-    if (beside && any("modes", "chosen", "theme", "tab", "sideWidth", "speedUnit")) drawSide(state);
+    if (state.doc === null || state.width === 0) return;
+    const solved = scaled(state.doc, state.whatIf);
+    const solves = any("doc", "whatIf", "options") || (any("width") && state.drawing === null);
+    const kind = kindOf(state.tab);
+    const looks = any("theme", "width", "height", "speedUnit", "frequencyUnit") || (any("tab") && kind !== state.drawing?.kind);
+    const chart = kind === "fan" ? any("dofs", "band", "measured", "window") : any("speed", "closeDofs");
+    if (any("doc", "options", "frequencyUnit", "dofs", "measured", "window") || (any("whatIf") && isNeutral(state.whatIf))) held = { axis: null };
+    if (solves || looks || chart) draw(state, solved);
+    if (solves || any("speed")) modes(state, solved);
+    if (isNeutral(state.whatIf)) {
+      if (state.before !== null) store.set({ before: null });
+    } else if (any("doc", "whatIf", "options", "window", "dofs") && (state.before === null || !any("whatIf"))) {
+      before(state);
+    }
   });
 }

@@ -5,6 +5,8 @@ import { fieldNumber } from "./format.js";
 
 const slider = at("speed-slider");
 const number = at("speed-number");
+/** The whole chart goes to this ratio of nominal speed. */
+const WHOLE = 1.2;
 
 /** How many rad/s one of this unit is. */
 export const unitFactor = (state, name) => state.about.speed_units.find((unit) => unit.name === name).rad_s;
@@ -24,7 +26,10 @@ function sliderStep(length) {
 /** Shows the state's speed on the controls. */
 export function showSpeed(state) {
   if (state.fan === null || state.modes === null) return;
-  const longest = state.fan.speeds_rad_s.at(-1) / unitFactor(state, state.speedUnit);
+  const { speeds_rad_s: speeds, nominal } = state.fan;
+  // A window on the chart leaves the slider as long as it is.
+  const last = state.window === null ? speeds.at(-1) : Math.max(WHOLE * nominal.speed_rad_s, speeds.at(-1));
+  const longest = last / unitFactor(state, state.speedUnit);
   slider.step = sliderStep(longest);
   slider.max = fieldNumber(longest);
   const speed = shownSpeed(state.speed, state);
@@ -45,6 +50,9 @@ export function startSpeed(store) {
   number.addEventListener("blur", () => showSpeed(store.get()));
   at("nominal").addEventListener("click", () => store.set({ speed: null }));
   at("speed-unit").addEventListener("change", ({ target }) => store.set({ speedUnit: target.value }));
+  store.subscribe((state, changed) => {
+    if (changed.has("speedUnit") || changed.has("about")) at("speed-unit").value = state.speedUnit;
+  });
   return (speed) => {
     const step = Number(slider.step);
     choose(Number((Math.round(speed / step) * step).toPrecision(12)));

@@ -1,6 +1,7 @@
 // The frequency table at one rotor speed. Its rows are the choice of a mode.
 
 import { boundsWords, figures, marginWords, paperWords } from "./format.js";
+import { nearness } from "./nearness.js";
 
 function newRow(mode, onChoose) {
   const row = document.createElement("tr");
@@ -25,7 +26,7 @@ function newRow(mode, onChoose) {
   return row;
 }
 
-function fill(row, mode, margin) {
+function fill(row, mode, harmonics) {
   const perRev = mode.per_rev === null ? "–" : mode.per_rev.toFixed(3);
   const bounds = [mode.lower_rad_s, mode.upper_rad_s];
   const shown = [
@@ -34,24 +35,31 @@ function fill(row, mode, margin) {
     [perRev, mode.per_rev ?? ""],
     [boundsWords(mode), bounds.includes(null) ? "" : bounds.join(" … ")],
     [paperWords(mode), mode.classical_rad_s ?? ""],
-    [marginWords(margin)],
+    [marginWords(mode)],
   ];
   shown.forEach(([text, full], i) => {
     const cell = row.cells[i + 1];
     cell.textContent = text;
     if (full !== undefined) cell.dataset.full = full;
   });
+  // The paper's value stands before its difference where there is room.
+  if (mode.classical_rad_s === null) delete row.cells[5].dataset.value;
+  else row.cells[5].dataset.value = figures(mode.classical_rad_s);
+  const near = nearness(mode, harmonics);
+  row.dataset.near = near;
+  if (near === "") return;
+  const tag = Object.assign(document.createElement("span"), { className: "near-tag", textContent: near });
+  row.cells[6].prepend(tag, " ");
 }
 
-/** Fills the table's body with one row per mode; `margins` is empty at rest. */
-export function showModes(body, report, margins, onChoose) {
-  const marginOf = new Map(margins.map((margin) => [margin.label, margin]));
+/** Fills the table's body with one row per mode; `harmonics` is the last one looked at. */
+export function showModes(body, report, onChoose, harmonics) {
   const labels = [...body.rows].map((row) => row.cells[0].textContent);
   // Rows stay while their modes do, and with them the focus.
   if (labels.join() !== report.modes.map((mode) => mode.label).join()) {
     body.replaceChildren(...report.modes.map((mode) => newRow(mode, onChoose)));
   }
-  report.modes.forEach((mode, i) => fill(body.rows[i], mode, marginOf.get(mode.label)));
+  report.modes.forEach((mode, i) => fill(body.rows[i], mode, harmonics));
 }
 
 /** Shows which mode is chosen. */
@@ -64,8 +72,8 @@ export function showChosen(body, chosen) {
 }
 
 /** One sentence on the mode nearest to one of the harmonics looked at; empty where none is near one, as at rest. */
-export function closestWords(margins, speed, harmonics = Infinity) {
-  const near = margins.filter((margin) => margin.nearest_harmonic <= harmonics);
+export function closestWords(modes, speed, harmonics = Infinity) {
+  const near = modes.filter((mode) => mode.nearest_harmonic !== null && mode.nearest_harmonic <= harmonics);
   if (near.length === 0) return "";
   const closest = near.reduce((a, b) => (Math.abs(b.margin_per_rev) < Math.abs(a.margin_per_rev) ? b : a));
   return `${closest.label} is ${marginWords(closest, "/rev")} at ${speed}, the closest${harmonics === Infinity ? "" : ` up to ${harmonics}P`}.`;

@@ -1,10 +1,12 @@
 // Shows the state on the page.
 
-import { FIRST_BLADE, OWN } from "./blade.js";
-import { place } from "./chart.js";
+import { OWN } from "./document.js";
+import { FIRST_BLADE } from "./blade.js";
+import { summary } from "./chart-data.js";
 import { at } from "./dom.js";
 import { listFaults } from "./editor.js";
-import { basisWords, faultPlace, fieldNumber } from "./format.js";
+import { basisWords, fieldNumber } from "./format.js";
+import { nearModes, nearNote } from "./nearness.js";
 import { showSpeed, shownSpeed, unitFactor } from "./speed.js";
 import { closestWords, showChosen, showModes } from "./table.js";
 
@@ -15,53 +17,45 @@ function showNumbers(state, onChoose) {
   if (modes === null) return;
   const speed = `${fieldNumber(shownSpeed(state.solvedSpeed, state))} ${state.speedUnit}`;
   at("numbers-title").textContent = `Frequencies at ${speed}${state.solvedSpeed === null ? ", nominal" : ""}`;
-  showModes(at("modes").tBodies[0], modes, state.margins, onChoose);
-  at("closest").textContent = closestWords(state.margins, speed, state.fan?.harmonics);
+  showModes(at("modes").tBodies[0], modes, onChoose, state.fan?.harmonics);
+  at("closest").textContent = closestWords(modes.modes, speed, state.fan?.harmonics);
+  const harmonics = state.fan?.harmonics;
+  const someNear = harmonics !== undefined && nearModes(modes.modes, harmonics).length > 0;
+  at("near-note").textContent = someNear ? nearNote(harmonics) : "";
   at("paper-column").textContent = `paper N=${modes.classical_functions}`;
   at("model").textContent = `${basisWords(modes.basis)}; ${state.about.model}`;
   document.title = `${modes.blade} – bladefan`;
 }
 
-function markSpeed(chart, state) {
-  const { drawing, modes, speedUnit, frequencyUnit } = state;
-  if (drawing?.kind !== "fan" || modes === null) return;
-  const key = frequencyUnit === "Hz" ? "frequency_hz" : "frequency_rad_s";
-  chart.mark(
-    modes.speed_rad_s / unitFactor(state, speedUnit),
-    modes.modes.map((mode) => ({ dof: mode.dof, value: mode[key] })),
-  );
+/** The rotor speed that is chosen [rad/s]. */
+function chosenSpeed(state) {
+  if (state.speed === null) return state.fan?.nominal.speed_rad_s ?? null;
+  return state.speed.value * unitFactor(state, state.speed.unit);
 }
 
-function showFaults(editor, { faults, warnings }) {
-  editor.mark(faults);
-  listFaults(at("faults"), faults, (fault) => editor.jump(fault.line, fault.column));
-  const count = faults.length;
-  const words = count === 1 ? "1 fault" : `${count} faults`;
-  at("fault-summary").textContent = count > 0 ? `${words}; first at ${faultPlace(faults[0]) || "the text"}` : "";
-  at("warnings").replaceChildren(
-    ...warnings.map((warning) => {
-      const item = document.createElement("li");
-      item.textContent = `${warning.path}: ${warning.message}`;
-      return item;
-    }),
-  );
-}
-
-function showSource({ library, choice }) {
+function showSource({ library, choice, doc }) {
   const built = library.find((blade) => blade.name === choice);
   at("blade-choice").value = choice;
-  at("blade-choice").querySelector(`option[value="${OWN}"]`).hidden = choice !== OWN;
-  at("blade-source").textContent = built ? `${built.quality} data: ${built.citation}` : "Your own text. It stays in this page.";
+  const own = at("blade-choice").querySelector(`option[value="${OWN}"]`);
+  own.hidden = choice !== OWN;
+  own.textContent = doc?.name && choice === OWN ? `${doc.name} (yours)` : "your own blade";
+  at("blade-source").textContent = built ? `${built.quality} data: ${built.citation}` : "Your own blade. It stays in this page.";
   at("blade-source").classList.toggle("estimated", built?.quality === "estimated");
 }
 
+function showWarnings({ warnings }) {
+  at("warnings").replaceChildren(
+    ...warnings.map((warning) => Object.assign(document.createElement("li"), { textContent: `${warning.path}: ${warning.message}` })),
+  );
+}
+
 /** Says so when chart and numbers are not of what the user sees in the fields. */
-function showLastGood({ faults, solveFaults, drawing }) {
+function showLastGood({ faults, solveFaults, textFaults, drawing }) {
   at("last-good").textContent =
-    faults.length > 0
-      ? "The text has faults; charts and numbers show the last blade without any."
+    faults.length + textFaults.length > 0
+      ? "The blade has faults; charts and numbers show the last one without any."
       : "Charts and numbers show the last solution.";
-  at("last-good").hidden = drawing === null || faults.length + solveFaults.length === 0;
+  at("last-good").hidden = drawing === null || faults.length + solveFaults.length + textFaults.length === 0;
 }
 
 function showSolveFaults({ solveFaults }) {
@@ -79,36 +73,32 @@ function showTab(tab) {
     button.tabIndex = chosen ? 0 : -1;
   }
   at("panel").setAttribute("aria-labelledby", `tab-${tab}`);
-  at("frequency-field").hidden = tab === "shapes"; // they have no frequency axis
-}
-
-/** The shapes beside the table: the chosen mode stands out. */
-function showSide({ side, sideWidth, tab, chosen }, drawn) {
-  const host = at("side");
-  host.hidden = side === null || sideWidth === 0 || tab === "shapes";
-  if (drawn) place(host, side, side.name, { above: 19, below: 34 }); // its name and its axis
-  for (const group of host.querySelectorAll("[data-label]")) group.classList.toggle("chosen", group.dataset.label === chosen);
+  at("stations").hidden = tab !== "stations";
+  at("text").hidden = tab !== "text";
+  // Room for the table or the text.
+  at("chart-tools").hidden = tab === "stations" || tab === "text";
 }
 
 /** Shows every change of the state from now on. */
-export function startView(store, chart, editor) {
+export function startView(store, chart) {
   store.subscribe((state, changed) => {
     const any = (...keys) => keys.some((key) => changed.has(key));
     if (any("tab")) showTab(state.tab);
-    if (any("faults", "warnings")) showFaults(editor, state);
-    if (any("library", "choice")) showSource(state);
+    if (any("faults")) listFaults(at("blade-faults"), state.faults);
+    if (any("warnings")) showWarnings(state);
+    if (any("library", "choice", "doc")) showSource(state);
     if (any("solveFaults")) showSolveFaults(state);
-    if (any("faults", "solveFaults", "drawing")) showLastGood(state);
+    if (any("faults", "solveFaults", "textFaults", "drawing")) showLastGood(state);
     if (state.about === null) return;
     if (any("drawing")) {
       const { kind, name } = state.drawing;
-      chart.show(state.drawing, `${TITLES[kind]} of ${name}`, kind === "fan");
+      const title = `${TITLES[kind]} of ${name}`;
+      chart.show(state.drawing, { title, words: `${title}: ${summary(state.drawing)}`, isFan: kind === "fan" });
     }
     if (any("fan", "modes", "speed", "speedUnit")) showSpeed(state);
     if (any("modes", "fan", "speedUnit")) showNumbers(state, (chosen) => store.set({ chosen }));
     if (any("modes", "chosen")) showChosen(at("modes").tBodies[0], state.chosen);
-    if (any("side", "chosen", "tab", "sideWidth")) showSide(state, any("side"));
-    if (any("drawing", "modes")) markSpeed(chart, state);
-    if (any("speed", "choice")) at("hint").hidden ||= state.speed !== null || state.choice !== FIRST_BLADE;
+    if (any("fan", "speed")) chart.mark(chosenSpeed(state));
+    if (any("speed", "choice", "whatIf", "tab")) at("hint").hidden ||= state.speed !== null || state.choice !== FIRST_BLADE || state.tab !== "fan";
   });
 }

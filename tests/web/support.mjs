@@ -1,7 +1,9 @@
 // What the page's tests share: the server, the browser, and a page that is watched.
 
 import assert from "node:assert/strict";
-import { existsSync } from "node:fs";
+import { existsSync, mkdirSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 import { serve } from "../../scripts/serve.mjs";
 
@@ -9,33 +11,49 @@ const candidates = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/google-
 const executablePath = candidates.find((path) => path && existsSync(path));
 const flags = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 
-/** Starts server and browser; `close` ends both. */
-export async function start() {
+/** Where pictures of the page go, to be looked at. */
+export const screenshots = fileURLToPath(new URL("screenshots/", import.meta.url));
+/** The server's address and the browser: one of each for the tests of a file. */
+export const site = {};
+let server;
+before(async () => {
   assert.ok(executablePath, "no Chromium found; CHROMIUM names one");
-  const server = await serve(0);
-  const browser = await chromium.launch({ executablePath, args: flags });
-  const origin = `http://127.0.0.1:${server.address().port}`;
-  return {
-    origin,
-    browser,
-    async close() {
-      await browser.close();
-      server.close();
-    },
-  };
+  mkdirSync(screenshots, { recursive: true });
+  server = await serve(0);
+  site.origin = `http://127.0.0.1:${server.address().port}`;
+  site.browser = await chromium.launch({ executablePath, args: flags });
+});
+after(async () => {
+  await site.browser?.close();
+  server?.close();
+});
+
+/** A test with a page of its own, whose console and network must stay clean. */
+export function pageTest(name, options, body) {
+  test(name, async () => {
+    const { page, complaints, close } = await open(options);
+    try {
+      await body(page);
+      assert.deepEqual(complaints, []);
+    } finally {
+      await close();
+    }
+  });
 }
 
 /**
  * Opens the page and waits for its first chart. What the console says, what fails and what is
  * asked of another host is kept in `complaints`, which every test expects to stay empty.
  */
-export async function open({ browser, origin }, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
+export async function open({ fragment = "", ...options } = {}) {
+  const { browser, origin } = site;
+  const context = await browser.newContext({ serviceWorkers: "block", viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
   context.setDefaultTimeout(15_000);
   const page = await context.newPage();
   const complaints = [];
   page.on("console", (message) => {
-    if (["error", "warning"].includes(message.type())) complaints.push(`console: ${message.text()}`);
+    const blocked = message.text().includes("Service Worker registration blocked"); // by these tests
+    if (["error", "warning"].includes(message.type()) && !blocked) complaints.push(`console: ${message.text()}`);
   });
   page.on("pageerror", (error) => complaints.push(`error: ${error.message}`));
   page.on("request", (request) => {
@@ -45,7 +63,7 @@ export async function open({ browser, origin }, options = {}) {
   page.on("response", (response) => {
     if (response.status() >= 400) complaints.push(`status ${response.status()}: ${response.url()}`);
   });
-  await page.goto(`${origin}/`);
+  await page.goto(`${origin}/${fragment}`);
   await drawn(page);
   return { page, complaints, close: () => context.close() };
 }
@@ -59,6 +77,7 @@ export async function drawn(page) {
 
 /** Puts a text into the editor as a user who pastes it. */
 export async function paste(page, text) {
+  if ((await page.locator("#tab-text").getAttribute("aria-selected")) !== "true") await page.locator("#tab-text").click();
   await page.locator("#blade-text").fill(text);
 }
 

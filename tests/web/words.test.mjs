@@ -30,7 +30,7 @@ test("margins are said in words", () => {
   assert.equal(marginWords(margin(1, 0.046), "/rev"), "0.05/rev above 1P");
   assert.equal(marginWords(margin(1, 0.0042)), "0.0042 above 1P");
   assert.equal(marginWords(margin(1, 1e-12)), "on 1P");
-  assert.equal(marginWords(undefined), "–");
+  assert.equal(marginWords(margin(null, null)), "–");
 });
 
 test("the closest mode is sought among the harmonics looked at", () => {
