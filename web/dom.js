@@ -1,3 +1,8 @@
+/** Shows a text where it is another one: setting the same again would still have the page laid out anew. */
+export function write(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}
+
 /** The element of this id. */
 export const at = (id) => document.getElementById(id);
 

@@ -19,6 +19,8 @@ const MOMENTS = { flap: "flapwise bending moment", lag: "lagwise bending moment"
 const LONGEST_S = 0.1;
 /** While the numbers go on changing, as when the speed is dragged, the shape waits. */
 const SETTLE_MS = 80;
+/** The blade stands still so long after a slider has moved: the chart comes first. */
+const YIELD_MS = 200;
 
 function draw(name, attributes = {}, ...children) {
   const made = document.createElementNS(SVG, name);
@@ -83,6 +85,8 @@ export function startMotion(store, client) {
   let last = null;
   let turns = { mode: 0, rotor: 0 };
   let report = null;
+  let yielding = 0;
+  let nominalSeen;
   let settling;
   let stage = null; // what the frames need: {dof, at, shape, project, pace}
 
@@ -131,6 +135,7 @@ export function startMotion(store, client) {
     frame = requestAnimationFrame(step);
     const passed = Math.min(LONGEST_S, (now - (last ?? now)) / 1000);
     last = now;
+    if (now < yielding) return;
     for (const key of ["mode", "rotor"]) turns[key] = (turns[key] + passed * stage.pace[key]) % 1;
     showFrame();
   }
@@ -267,7 +272,10 @@ export function startMotion(store, client) {
       if (changed.has("chosen")) ask();
       else settling = setTimeout(ask, SETTLE_MS);
     }
-    if ((changed.has("speedUnit") || changed.has("fan")) && report?.modes === state.modes) show();
+    if (changed.has("whatIf") || changed.has("speed")) yielding = performance.now() + YIELD_MS;
+    const nominal = state.fan?.nominal.speed_rad_s;
+    if ((changed.has("speedUnit") || nominal !== nominalSeen) && report?.modes === state.modes) show();
+    nominalSeen = nominal;
   });
   run();
 }

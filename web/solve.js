@@ -6,6 +6,8 @@ import { isNeutral, scaled } from "./scale.js";
 const BLADE_KEYS = /^(schema|name|notes|source|units|rotor|flap|lag|torsion|distribution)\b/;
 
 const NONE = [];
+/** The old list where the new one says the same, so that nobody hears of a change where there is none. */
+const sameOr = (old, fresh) => (JSON.stringify(old) === JSON.stringify(fresh) ? old : fresh);
 
 /** What the tab draws: the fan chart stays in sight beside the tables and texts of the blade. */
 export const kindOf = (tab) => (tab === "shapes" || tab === "converge" ? tab : "fan");
@@ -40,11 +42,10 @@ export function startSolving(store, client) {
     faultsOf[lane] = result.status === "ok" ? [] : result.faults;
     const all = Object.values(faultsOf).flat();
     const distinct = all.filter((fault, i) => all.findIndex((f) => f.path === fault.path && f.message === fault.message) === i);
-    // The same empty list each time, so that nobody hears of a change where there is none.
     const only = (good) => (distinct.length === 0 ? NONE : distinct.filter(good));
     const faults = only((fault) => BLADE_KEYS.test(fault.path));
     const solveFaults = only((fault) => !BLADE_KEYS.test(fault.path));
-    store.set({ faults, solveFaults, ...(result.status === "ok" ? { blade: solved, warnings: result.warnings.length === 0 ? NONE : result.warnings, ...accept(result.value) } : {}) });
+    store.set({ faults, solveFaults, ...(result.status === "ok" ? { blade: solved, warnings: sameOr(store.get().warnings, result.warnings), ...accept(result.value) } : {}) });
   }
 
   async function modes(state, solved) {

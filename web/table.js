@@ -1,5 +1,6 @@
 // The frequency table at one rotor speed. Its rows are the choice of a mode.
 
+import { write } from "./dom.js";
 import { boundsWords, figures, marginWords, paperWords } from "./format.js";
 import { nearness } from "./nearness.js";
 
@@ -35,21 +36,22 @@ function fill(row, mode, harmonics) {
     [perRev, mode.per_rev ?? ""],
     [boundsWords(mode), bounds.includes(null) ? "" : bounds.join(" … ")],
     [paperWords(mode), mode.classical_rad_s ?? ""],
-    [marginWords(mode)],
   ];
   shown.forEach(([text, full], i) => {
     const cell = row.cells[i + 1];
-    cell.textContent = text;
-    if (full !== undefined) cell.dataset.full = full;
+    write(cell, text);
+    cell.dataset.full = full;
   });
   // The paper's value stands before its difference where there is room.
   if (mode.classical_rad_s === null) delete row.cells[5].dataset.value;
   else row.cells[5].dataset.value = figures(mode.classical_rad_s);
   const near = nearness(mode, harmonics);
+  const words = marginWords(mode);
+  const cell = row.cells[6];
+  if (cell.textContent === (near === "" ? words : `${near} ${words}`)) return;
   row.dataset.near = near;
-  if (near === "") return;
   const tag = Object.assign(document.createElement("span"), { className: "near-tag", textContent: near });
-  row.cells[6].prepend(tag, " ");
+  cell.replaceChildren(...(near === "" ? [words] : [tag, ` ${words}`]));
 }
 
 /** Fills the table's body with one row per mode; `harmonics` is the last one looked at. */

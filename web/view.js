@@ -3,7 +3,7 @@
 import { OWN } from "./document.js";
 import { FIRST_BLADE } from "./blade.js";
 import { summary } from "./chart-data.js";
-import { at } from "./dom.js";
+import { at, write } from "./dom.js";
 import { listFaults } from "./editor.js";
 import { basisWords, fieldNumber } from "./format.js";
 import { nearModes, nearNote } from "./nearness.js";
@@ -16,15 +16,16 @@ function showNumbers(state, onChoose) {
   const { modes } = state;
   if (modes === null) return;
   const speed = `${fieldNumber(shownSpeed(state.solvedSpeed, state))} ${state.speedUnit}`;
-  at("numbers-title").textContent = `Frequencies at ${speed}${state.solvedSpeed === null ? ", nominal" : ""}`;
+  write(at("numbers-title"), `Frequencies at ${speed}${state.solvedSpeed === null ? ", nominal" : ""}`);
   showModes(at("modes").tBodies[0], modes, onChoose, state.fan?.harmonics);
-  at("closest").textContent = closestWords(modes.modes, speed, state.fan?.harmonics);
+  write(at("closest"), closestWords(modes.modes, speed, state.fan?.harmonics));
   const harmonics = state.fan?.harmonics;
   const someNear = harmonics !== undefined && nearModes(modes.modes, harmonics).length > 0;
-  at("near-note").textContent = someNear ? nearNote(harmonics) : "";
-  at("paper-column").textContent = `paper N=${modes.classical_functions}`;
-  at("model").textContent = `${basisWords(modes.basis)}; ${state.about.model}`;
-  document.title = `${modes.blade} – bladefan`;
+  write(at("near-note"), someNear ? nearNote(harmonics) : "");
+  write(at("paper-column"), `paper N=${modes.classical_functions}`);
+  write(at("model"), `${basisWords(modes.basis)}; ${state.about.model}`);
+  const title = `${modes.blade} – bladefan`;
+  if (document.title !== title) document.title = title;
 }
 
 /** The rotor speed that is chosen [rad/s]. */
@@ -81,6 +82,7 @@ function showTab(tab) {
 
 /** Shows every change of the state from now on. */
 export function startView(store, chart) {
+  let harmonics;
   store.subscribe((state, changed) => {
     const any = (...keys) => keys.some((key) => changed.has(key));
     if (any("tab")) showTab(state.tab);
@@ -96,7 +98,9 @@ export function startView(store, chart) {
       chart.show(state.drawing, { title, words: `${title}: ${summary(state.drawing)}`, isFan: kind === "fan" });
     }
     if (any("fan", "modes", "speed", "speedUnit")) showSpeed(state);
-    if (any("modes", "fan", "speedUnit")) showNumbers(state, (chosen) => store.set({ chosen }));
+    // Of the chart they need the harmonics alone; every step of a slider brings another chart.
+    if (any("modes", "speedUnit") || (any("fan") && state.fan.harmonics !== harmonics)) showNumbers(state, (chosen) => store.set({ chosen }));
+    harmonics = state.fan?.harmonics;
     if (any("modes", "chosen")) showChosen(at("modes").tBodies[0], state.chosen);
     if (any("fan", "speed")) chart.mark(chosenSpeed(state));
     if (any("speed", "choice", "whatIf", "tab")) at("hint").hidden ||= state.speed !== null || state.choice !== FIRST_BLADE || state.tab !== "fan";

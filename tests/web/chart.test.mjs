@@ -352,7 +352,7 @@ for (const [width, height] of [[1280, 800], [390, 844]]) {
   }
 }
 
-pageTest("frame time: a what-if step redraws the converged chart", {}, async (page) => {
+pageTest("frame time: a what-if step redraws the converged chart", { reducedMotion: "no-preference" }, async (page) => {
   // The real worker, which also tells when it began and ended.
   await page.route("**/worker.js", async (route) => {
     const response = await route.fetch();

@@ -9,7 +9,7 @@ import { REVOLUTION_S, largest, nodeWords, nodesOf, pace } from "../../web/shape
 import { call, pageTest, rows } from "./support.mjs";
 
 const modesTest = (name, options, body) =>
-  pageTest(name, options, async (page) => {
+  pageTest(name, { reducedMotion: "no-preference", ...options }, async (page) => {
     await page.locator("#motion-title", { hasText: "Mode 1F" }).waitFor();
     await body(page);
   });

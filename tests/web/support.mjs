@@ -47,7 +47,7 @@ export function pageTest(name, options, body) {
  */
 export async function open({ fragment = "", ...options } = {}) {
   const { browser, origin } = site;
-  const context = await browser.newContext({ serviceWorkers: "block", viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
+  const context = await browser.newContext({ serviceWorkers: "block", reducedMotion: "reduce", viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
   context.setDefaultTimeout(15_000);
   const page = await context.newPage();
   const complaints = [];
