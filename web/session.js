@@ -54,8 +54,9 @@ export function startSession(store, open, say) {
   async function keep() {
     const state = store.get();
     if (state.doc === null || (state.choice !== OWN && isNeutral(state.whatIf))) return;
-    id ??= crypto.randomUUID();
     const packed = await pack(state);
+    // The same blade and view, as when a link is opened again, is not kept twice.
+    id ??= read().find((entry) => entry.packed === packed)?.id ?? `${Date.now()}-${Math.random()}`;
     const name = typeof state.doc.name === "string" && state.doc.name !== "" ? state.doc.name.slice(0, 60) : "blade without a name";
     write([{ id, name, time: Date.now(), packed }, ...read().filter((entry) => entry.id !== id)]);
     list();

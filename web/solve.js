@@ -75,6 +75,12 @@ export function startSolving(store, client) {
     }));
   }
 
+  /** The fan chart's numbers while another chart is drawn: speeds and harmonics of the page come from them. */
+  async function unseenFan(state, solved) {
+    const result = await client.call("fan", "fan", solved, { ...optionsOf("fan", state), dof: state.dofs });
+    if (result?.status === "ok" && state.opened === store.get().opened) store.set({ fan: result.value });
+  }
+
   /** The blade without what-if, to compare with: its fan chart over the same speeds. */
   async function before(state) {
     const result = await client.call("before", "fan", state.doc, { ...optionsOf("fan", state), dof: state.dofs });
@@ -91,6 +97,7 @@ export function startSolving(store, client) {
     const chart = kind === "fan" ? any("dofs", "band", "measured", "window") : any("speed", "closeDofs");
     if (any("doc", "options", "frequencyUnit", "dofs", "measured", "window") || (any("whatIf") && isNeutral(state.whatIf))) held = { axis: null };
     if (solves || looks || chart) draw(state, solved);
+    if (solves && kind !== "fan") unseenFan(state, solved);
     if (solves || any("speed")) modes(state, solved);
     if (isNeutral(state.whatIf)) {
       if (state.before !== null) store.set({ before: null });

@@ -12,6 +12,14 @@ const state = {
   doc: { schema: "bladefan-blade/1", rotor: { radius: 2 } }, text: null, choice: "", tab: "shapes", speed: { value: 300, unit: "rpm" }, speedUnit: "rpm",
   frequencyUnit: "Hz", dofs: ["flap"], closeDofs: ["lag"], band: [0.8, 1.2], window: null, chosen: "2F", options: { modes: "4" }, measured: "a,b", whatIf: NEUTRAL,
 };
+const UNIFORM = `schema = "bladefan-blade/1"
+name = "uniform, sent"
+rotor = { radius = 1, nominal_speed = 1 }
+flap = { root = "hingeless" }
+lag = { root = "hingeless" }
+torsion = { root = "rigid" }
+distribution = { mass = 1, flap_stiffness = 1, lag_stiffness = 1, torsion_stiffness = 1, polar_inertia = 1 }
+`;
 const words = async (packed) => unpack(packed).then(() => "read", (error) => error.message);
 
 test("what is packed is unpacked", async () => {
@@ -72,6 +80,23 @@ test("a link carries blade and view to another browser", async () => {
     assert.deepEqual(second.complaints, []);
   } finally {
     await second.close();
+  }
+});
+
+test("a link opened again is kept once", async () => {
+  const fragment = `#${await pack({ ...state, doc: null, text: UNIFORM, measured: "", chosen: "1F" })}`;
+  const { page, complaints, close } = await open({ fragment });
+  try {
+    for (let i = 0; i < 3; i++) {
+      await page.waitForFunction(() => JSON.parse(localStorage.getItem("bladefan-blades") ?? "[]").length === 1);
+      await page.reload();
+      await drawn(page);
+      await page.waitForTimeout(800);
+    }
+    assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem("bladefan-blades")).length), 1);
+    assert.deepEqual(complaints, []);
+  } finally {
+    await close();
   }
 });
 
