@@ -19,7 +19,7 @@ import { startReport } from "./report.js";
 import { startSaving } from "./save.js";
 import { NEUTRAL } from "./scale.js";
 import { startSensitivity } from "./sensitivity.js";
-import { startSolving } from "./solve.js";
+import { isShared, startSolving } from "./solve.js";
 import { startSpeed } from "./speed.js";
 import { startSession } from "./session.js";
 import { startShare } from "./share.js";
@@ -140,7 +140,7 @@ startTheme(at("theme"), (theme) => store.set({ theme }));
 /** The chart is drawn as wide as its place, and no taller than the window leaves room for. */
 function measure() {
   const room = at("panel").clientWidth;
-  const shared = ["stations", "text"].includes(store.get().tab);
+  const shared = isShared(store.get().tab);
   const high = innerHeight - 230;
   store.set({
     width: Math.round(Math.max(320, Math.min(room, shared ? room : high * 1.35, 1600))),

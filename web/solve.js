@@ -12,6 +12,9 @@ const sameOr = (old, fresh) => (JSON.stringify(old) === JSON.stringify(fresh) ? 
 /** What the tab draws: the fan chart stays in sight beside the tables and texts of the blade. */
 export const kindOf = (tab) => (tab === "shapes" || tab === "converge" ? tab : "fan");
 
+/** Whether the chart shares its place with a table or text of the blade. */
+export const isShared = (tab) => kindOf(tab) === "fan" && tab !== "fan";
+
 /** Options of the package for this state, by analysis; the speed as the user gave it, nominal where not. */
 export function optionsOf(analysis, { options, speed, band, window }) {
   const { modes, functions, harmonics, basis } = options;
@@ -49,10 +52,9 @@ export function startSolving(store, client) {
   }
 
   async function modes(state, solved) {
-    const asked = { opened: state.opened, tab: state.tab };
-    const { speed } = state;
+    const { opened, speed } = state;
     const result = await client.call("modes", "modes", solved, optionsOf("modes", state));
-    if (asked.opened === store.get().opened) take("modes", solved, result, (value) => ({ modes: value, solvedSpeed: speed }));
+    if (opened === store.get().opened) take("modes", solved, result, (value) => ({ modes: value, solvedSpeed: speed }));
   }
 
   // The frequency axis stays while what-if moves the branches: else it is the axis that seems to move.
@@ -75,34 +77,35 @@ export function startSolving(store, client) {
     }));
   }
 
-  /** The fan chart's numbers while another chart is drawn: speeds and harmonics of the page come from them. */
-  async function unseenFan(state, solved) {
-    const result = await client.call("fan", "fan", solved, { ...optionsOf("fan", state), dof: state.dofs });
-    if (result?.status === "ok" && state.opened === store.get().opened) store.set({ fan: result.value });
-  }
-
-  /** The blade without what-if, to compare with: its fan chart over the same speeds. */
-  async function before(state) {
-    const result = await client.call("before", "fan", state.doc, { ...optionsOf("fan", state), dof: state.dofs });
-    if (result?.status === "ok") store.set({ before: result.value });
+  /**
+   * A fan chart's numbers alone, into the key of the state that is also its lane: `fan` while another
+   * chart is drawn, whose speeds and harmonics the page needs; `before` of the blade without what-if.
+   */
+  async function numbers(key, state, blade) {
+    const { doc } = state; // the state goes on while the package solves
+    const result = await client.call(key, "fan", blade, { ...optionsOf("fan", state), dof: state.dofs });
+    const wanted = key === "fan" || !isNeutral(store.get().whatIf);
+    if (result?.status === "ok" && doc === store.get().doc && wanted) store.set({ [key]: result.value });
   }
 
   store.subscribe((state, changed) => {
     const any = (...keys) => keys.some((key) => changed.has(key));
     if (state.doc === null || state.width === 0) return;
-    const solved = scaled(state.doc, state.whatIf);
     const solves = any("doc", "whatIf", "options") || (any("width") && state.drawing === null);
     const kind = kindOf(state.tab);
     const looks = any("theme", "width", "height", "speedUnit", "frequencyUnit") || (any("tab") && kind !== state.drawing?.kind);
     const chart = kind === "fan" ? any("dofs", "band", "measured", "window") : any("speed", "closeDofs");
     if (any("doc", "options", "frequencyUnit", "dofs", "measured", "window") || (any("whatIf") && isNeutral(state.whatIf))) held = { axis: null };
-    if (solves || looks || chart) draw(state, solved);
-    if (solves && kind !== "fan") unseenFan(state, solved);
-    if (solves || any("speed")) modes(state, solved);
+    if (solves || looks || chart || any("speed")) {
+      const solved = scaled(state.doc, state.whatIf);
+      if (solves || looks || chart) draw(state, solved);
+      if (solves && kind !== "fan") numbers("fan", state, solved);
+      if (solves || any("speed")) modes(state, solved);
+    }
     if (isNeutral(state.whatIf)) {
       if (state.before !== null) store.set({ before: null });
     } else if (any("doc", "whatIf", "options", "window", "dofs") && (state.before === null || !any("whatIf"))) {
-      before(state);
+      numbers("before", state, state.doc);
     }
   });
 }

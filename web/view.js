@@ -7,6 +7,7 @@ import { at, write } from "./dom.js";
 import { listFaults } from "./editor.js";
 import { basisWords, fieldNumber } from "./format.js";
 import { nearModes, nearNote } from "./nearness.js";
+import { isShared } from "./solve.js";
 import { showSpeed, shownSpeed, unitFactor } from "./speed.js";
 import { closestWords, showChosen, showModes } from "./table.js";
 
@@ -77,7 +78,7 @@ function showTab(tab) {
   at("stations").hidden = tab !== "stations";
   at("text").hidden = tab !== "text";
   // Room for the table or the text.
-  at("chart-tools").hidden = tab === "stations" || tab === "text";
+  at("chart-tools").hidden = isShared(tab);
 }
 
 /** Shows every change of the state from now on. */

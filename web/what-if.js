@@ -1,5 +1,6 @@
 // What-if sliders: stiffness, mass, offsets and springs changed for a look, beside the blade as it is.
 
+import { fieldValue } from "./document.js";
 import { at } from "./dom.js";
 import { unitOf } from "./form.js";
 import { fieldNumber } from "./format.js";
@@ -131,8 +132,8 @@ export function startWhatIf(store, blade) {
       const value = key.startsWith("offsets") ? target.valueAsNumber : Number((2 ** target.valueAsNumber).toPrecision(4));
       return choose(key, value);
     }
-    const value = Number(target.value.replace(",", "."));
-    if (Number.isFinite(value) && (key.startsWith("offsets") ? value >= 0 : value > 0)) choose(key, value);
+    const value = fieldValue(target.value);
+    if (typeof value === "number" && (key.startsWith("offsets") ? value >= 0 : value > 0)) choose(key, value);
   });
   rows.addEventListener("focusout", () => store.get().doc && show(store.get()));
   reset.addEventListener("click", () => store.set({ whatIf: NEUTRAL }));
