@@ -1,7 +1,6 @@
 // The operating band: two edges that are moved on the chart, and the crossings between them in words.
 
-import { element } from "./chart.js";
-import { at } from "./dom.js";
+import { at, element } from "./dom.js";
 import { fieldNumber } from "./format.js";
 
 /** Edges are set in steps of this ratio of nominal speed, and keep this far apart. */

@@ -1,7 +1,6 @@
 // The blade as it is, faintly behind the branches of the changed one.
 
-import { element } from "./chart.js";
-import { at } from "./dom.js";
+import { at, element } from "./dom.js";
 import { inUnit } from "./frame.js";
 
 /** Higher than any axis: a path may not grow without end towards rest. */

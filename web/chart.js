@@ -1,9 +1,9 @@
 // The drawing, and what the page lays over it: layers in the drawing's own pixels, and handles.
 
+import { SVG, element } from "./dom.js";
 import { fieldNumber } from "./format.js";
 import { Frame } from "./frame.js";
 
-const SVG = "http://www.w3.org/2000/svg";
 /** In the order of painting. */
 const LAYERS = ["before", "edges", "mark", "hover", "box"];
 /** A finger that has moved this far drags. */
@@ -16,13 +16,6 @@ function parse(text) {
     throw new Error("the drawing is not an SVG");
   }
   return document.adoptNode(root);
-}
-
-/** An SVG element with attributes. */
-export function element(name, attributes) {
-  const made = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-  return made;
 }
 
 function drawn(drawing, title) {

@@ -14,3 +14,14 @@ export function make(tag, { dataset, aria, ...properties } = {}, ...children) {
   made.append(...children);
   return made;
 }
+
+/** The namespace of SVG. */
+export const SVG = "http://www.w3.org/2000/svg";
+
+/** A new SVG element with these attributes. */
+export function element(name, attributes = {}, ...children) {
+  const made = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  made.append(...children);
+  return made;
+}

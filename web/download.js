@@ -1,5 +1,7 @@
 // Files for the user: chart, numbers, blade. Everything is made in the page.
 
+import { percent } from "./format.js";
+
 /** Hands `content` (text or Blob) to the browser as a file. */
 export function download(name, content, type) {
   const url = URL.createObjectURL(content instanceof Blob ? content : new Blob([content], { type }));
@@ -53,13 +55,6 @@ export function convergeCsv(report) {
     ),
   );
   return csv(["mode", "family", "functions", "frequency [rad/s]", "error [%]"], rows);
-}
-
-function percent(value, reference) {
-  if (value === null || reference === null) return null;
-  if (value === reference) return 0;
-  const error = 100 * (value / reference - 1);
-  return Number.isFinite(error) ? error : null;
 }
 
 /** The drawing as a PNG, `width` pixels wide. */

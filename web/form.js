@@ -1,7 +1,7 @@
 // Rotor and roots as fields. Each field is bound to a path of the blade file by `data-path`.
 
 import { fieldValue, setAt, valueAt } from "./document.js";
-import { at } from "./dom.js";
+import { at, make } from "./dom.js";
 
 const ROOTS = {
   flap: { name: "Flap", kinds: ["hingeless", "hinged", "spring-hinged"] },
@@ -9,14 +9,6 @@ const ROOTS = {
   torsion: { name: "Torsion", kinds: ["rigid", "spring"] },
 };
 const SPRUNG = ["spring-hinged", "spring"];
-
-function make(tag, properties = {}, ...children) {
-  const { dataset, ...rest } = properties;
-  const made = Object.assign(document.createElement(tag), rest);
-  Object.assign(made.dataset, dataset);
-  made.append(...children);
-  return made;
-}
 
 /** A labelled field for the number at a path; its unit and its faults stand beside and below. */
 function field(label, path, unit) {

@@ -47,16 +47,23 @@ export function boundsWords({ frequency_rad_s: frequency, lower_rad_s: lower, up
   return frequency === 0 && half === 0 ? "exact" : `±${roundedUp(half)}`;
 }
 
+/** How far a value is from another, in % of that; null where that cannot be said. */
+export function percent(value, reference) {
+  if (value === null || reference === null) return null;
+  if (value === reference) return 0;
+  const error = 100 * (value / reference - 1);
+  return Number.isFinite(error) ? error : null;
+}
+
 /** How far the paper's functions are from the converged frequency: "+0.098 %". */
 export function paperWords({ classical_rad_s: classical, converged_rad_s: converged }) {
-  if (classical === null || converged === null) return "–";
-  const percent = classical === converged ? 0 : 100 * (classical / converged - 1);
-  if (!Number.isFinite(percent)) return "–";
-  if (percent === 0) return "0 %";
-  if (Math.abs(percent) < 1e-4) return "<0.0001 %";
-  const size = Math.abs(percent);
+  const error = percent(classical, converged);
+  if (error === null) return "–";
+  if (error === 0) return "0 %";
+  const size = Math.abs(error);
+  if (size < 1e-4) return "<0.0001 %";
   const decimals = Math.min(4, Math.max(0, 1 - Math.floor(Math.log10(size))));
-  return `${percent < 0 ? "−" : "+"}${size.toFixed(decimals)} %`;
+  return `${error < 0 ? "−" : "+"}${size.toFixed(decimals)} %`;
 }
 
 /** The assumed functions in words. */

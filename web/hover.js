@@ -1,7 +1,6 @@
 // What stands at the pointer, or where the keys have gone: branch, speed, frequency, nearest harmonic.
 
-import { element } from "./chart.js";
-import { at } from "./dom.js";
+import { at, element } from "./dom.js";
 import { fieldNumber, figures, marginWords } from "./format.js";
 import { perRev } from "./frame.js";
 

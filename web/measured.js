@@ -1,6 +1,6 @@
 // Measured points, or another code's: typed, pasted, opened or dropped as CSV, drawn and compared.
 
-import { at } from "./dom.js";
+import { at, make } from "./dom.js";
 import { listFaults } from "./editor.js";
 import { fieldNumber, figures } from "./format.js";
 import { inUnit } from "./frame.js";
@@ -8,12 +8,6 @@ import { inUnit } from "./frame.js";
 const LARGEST = 200_000;
 const TYPING_MS = 300;
 const COMPARE_MS = 150;
-
-const make = (name, properties, ...children) => {
-  const made = Object.assign(document.createElement(name), properties);
-  made.append(...children);
-  return made;
-};
 
 /** Points a little off this chart's branches, as an example of the columns. */
 function example(fan) {

@@ -1,13 +1,12 @@
 // The chosen mode: its shape along the span, its moment, and the blade in motion.
 
-import { at } from "./dom.js";
+import { at, element, make } from "./dom.js";
 import { boundsWords, fieldNumber, figures, marginWords, paperWords } from "./format.js";
 import { STAGE, camera, chordAt, hubPaths, platePaths } from "./plate.js";
 import { largest, nodeWords, nodesOf, pace } from "./shape.js";
 import { optionsOf } from "./solve.js";
 import { shownSpeed } from "./speed.js";
 
-const SVG = "http://www.w3.org/2000/svg";
 const POINTS = 121;
 /** The plate is drawn from every so many points. */
 const COARSE = 3;
@@ -21,19 +20,6 @@ const LONGEST_S = 0.1;
 const SETTLE_MS = 80;
 /** The blade stands still so long after a slider has moved: the chart comes first. */
 const YIELD_MS = 200;
-
-function draw(name, attributes = {}, ...children) {
-  const made = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-  made.append(...children);
-  return made;
-}
-
-const make = (tag, properties, ...children) => {
-  const made = Object.assign(document.createElement(tag), properties);
-  made.append(...children);
-  return made;
-};
 
 /** The chosen mode in one line, with what the table has no room for. */
 export function modeWords(mode, functions) {
@@ -58,18 +44,18 @@ function plot(shape, ratio, moments, nodes) {
   const x = (r) => frame.left + r * (frame.right - frame.left);
   const y = (value) => (frame.top + frame.bottom) / 2 - 0.92 * value * ((frame.bottom - frame.top) / 2);
   const line = (values, scale) => values.map((value, i) => `${i === 0 ? "M" : "L"}${x(ratio[i]).toFixed(1)} ${y(value / scale).toFixed(1)}`).join("");
-  const svg = draw("svg", { viewBox: `0 0 ${width} ${height}`, class: "shape-plot", role: "img" });
+  const svg = element("svg", { viewBox: `0 0 ${width} ${height}`, class: "shape-plot", role: "img" });
   for (const r of [0, 0.2, 0.4, 0.6, 0.8, 1]) {
-    svg.append(draw("path", { class: "grid", d: `M${x(r)} ${frame.top}V${frame.bottom}` }), draw("text", { x: x(r), y: frame.bottom + 13, "text-anchor": "middle" }, r === 0 ? "0" : r.toFixed(1)));
+    svg.append(element("path", { class: "grid", d: `M${x(r)} ${frame.top}V${frame.bottom}` }), element("text", { x: x(r), y: frame.bottom + 13, "text-anchor": "middle" }, r === 0 ? "0" : r.toFixed(1)));
   }
   for (const value of [-1, 0, 1]) {
-    svg.append(draw("path", { class: value === 0 ? "zero" : "grid", d: `M${frame.left} ${y(value)}H${frame.right}` }), draw("text", { x: frame.left - 4, y: y(value) + 3.5, "text-anchor": "end" }, String(value).replace("-", "−")));
+    svg.append(element("path", { class: value === 0 ? "zero" : "grid", d: `M${frame.left} ${y(value)}H${frame.right}` }), element("text", { x: frame.left - 4, y: y(value) + 3.5, "text-anchor": "end" }, String(value).replace("-", "−")));
   }
-  svg.append(draw("text", { x: (frame.left + frame.right) / 2, y: height - 3, "text-anchor": "middle" }, "span r/R"));
+  svg.append(element("text", { x: (frame.left + frame.right) / 2, y: height - 3, "text-anchor": "middle" }, "span r/R"));
   const most = largest(ratio, moments);
-  if (most !== null) svg.append(draw("path", { class: "moment", d: line(moments, Math.abs(most.value)) }));
-  svg.append(draw("path", { class: "displacement", d: line(shape, 1) }));
-  for (const node of nodes) svg.append(draw("circle", { class: "node", cx: x(node).toFixed(1), cy: y(0), r: 3.5 }));
+  if (most !== null) svg.append(element("path", { class: "moment", d: line(moments, Math.abs(most.value)) }));
+  svg.append(element("path", { class: "displacement", d: line(shape, 1) }));
+  for (const node of nodes) svg.append(element("circle", { class: "node", cx: x(node).toFixed(1), cy: y(0), r: 3.5 }));
   return svg;
 }
 
@@ -105,11 +91,11 @@ export function startMotion(store, client) {
   const relative = make("input", { type: "checkbox", checked: true, id: "motion-relative" });
   relative.addEventListener("change", setStage);
   const tools = make("div", { className: "motion-tools", role: "group", ariaLabel: "Motion" }, play, views, make("label", { className: "toggle" }, relative, "all modes at true relative frequency"));
-  const paths = Object.fromEntries(["shaft", "faint", "other", "hub", "arm", "face", "ribs", "edge", "nodes"].map((name) => [name, draw("path", { class: name })]));
-  const root = draw("g", { class: "root" });
-  const spoke = draw("g", {}, draw("path", { d: "M0 0L0 -11" }), draw("circle", { cx: 0, cy: -11, r: 2.5 }));
-  const rotor = draw("g", { class: "rotor", transform: `translate(20 18)` }, draw("circle", { r: 11 }), spoke, draw("text", { y: 23, "text-anchor": "middle" }, "rotor"));
-  const picture = draw("svg", { viewBox: `0 0 ${STAGE.width} ${STAGE.height}`, class: "stage", role: "img" }, ...Object.values(paths), root, rotor);
+  const paths = Object.fromEntries(["shaft", "faint", "other", "hub", "arm", "face", "ribs", "edge", "nodes"].map((name) => [name, element("path", { class: name })]));
+  const root = element("g", { class: "root" });
+  const spoke = element("g", {}, element("path", { d: "M0 0L0 -11" }), element("circle", { cx: 0, cy: -11, r: 2.5 }));
+  const rotor = element("g", { class: "rotor", transform: `translate(20 18)` }, element("circle", { r: 11 }), spoke, element("text", { y: 23, "text-anchor": "middle" }, "rotor"));
+  const picture = element("svg", { viewBox: `0 0 ${STAGE.width} ${STAGE.height}`, class: "stage", role: "img" }, ...Object.values(paths), root, rotor);
   const paceNote = make("p", { className: "note", id: "motion-pace" });
   const plotPlace = make("div", { className: "plot-place" });
   const nodeNote = make("p", { id: "motion-nodes" });
@@ -204,10 +190,10 @@ export function startMotion(store, client) {
   }
 
   function rootMark(kind, [x, y]) {
-    if (kind === "hingeless" || kind === "rigid") return [draw("rect", { x: x - 4, y: y - 6, width: 8, height: 12 })];
-    const circle = draw("circle", { cx: x, cy: y, r: 4 });
+    if (kind === "hingeless" || kind === "rigid") return [element("rect", { x: x - 4, y: y - 6, width: 8, height: 12 })];
+    const circle = element("circle", { cx: x, cy: y, r: 4 });
     if (kind === "hinged") return [circle];
-    return [draw("path", { d: `M${x - 9} ${y - 8}l3 -5l3 5l3 -5l3 5l3 -5l3 5` }), circle];
+    return [element("path", { d: `M${x - 9} ${y - 8}l3 -5l3 5l3 -5l3 5l3 -5l3 5` }), circle];
   }
 
   function show() {

@@ -1,22 +1,14 @@
 // Small plots of the properties along the span, one each.
 
 import { PROPERTIES, unitOfColumn } from "./columns.js";
-import { make } from "./dom.js";
+import { element, make } from "./dom.js";
 import { fieldNumber } from "./format.js";
 import { formOf } from "./span.js";
 import { curveOf } from "./span-forms.js";
 
-const NS = "http://www.w3.org/2000/svg";
 const [WIDTH, HEIGHT, PAD] = [200, 72, 6];
 /** Above this many points neighbours lie on the same pixels; the line is as good with fewer. */
 const MOST_POINTS = 2_500;
-
-function shape(tag, attributes, ...children) {
-  const made = document.createElementNS(NS, tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-  made.append(...children);
-  return made;
-}
 
 const figure = (value) => fieldNumber(value, 4);
 
@@ -60,13 +52,13 @@ function plot(points, radius, mark, words) {
   const end = Math.max(radius > 0 ? radius : 0, ...points.map(([x]) => x)) || 1;
   const x = (value) => (PAD + (value / end) * (WIDTH - 2 * PAD)).toFixed(1);
   const y = (value) => (HEIGHT - PAD - ((value - low) / (high - low || 1)) * (HEIGHT - 2 * PAD)).toFixed(1);
-  const svg = shape("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": words, preserveAspectRatio: "none" });
+  const svg = element("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": words, preserveAspectRatio: "none" });
   const thin = { stroke: "currentColor", "stroke-width": 1, "vector-effect": "non-scaling-stroke" };
-  svg.append(shape("line", { x1: PAD, x2: WIDTH - PAD, y1: y(0), y2: y(0), ...thin, "stroke-opacity": 0.4 }));
-  if (mark !== null) svg.append(shape("line", { class: "station", x1: x(mark), x2: x(mark), y1: 0, y2: HEIGHT, ...thin, "stroke-dasharray": "3 2" }));
-  svg.append(shape("polyline", { points: points.map(([a, b]) => `${x(a)},${y(b)}`).join(" "), fill: "none", ...thin, "stroke-width": 1.75, "stroke-linejoin": "round" }));
+  svg.append(element("line", { x1: PAD, x2: WIDTH - PAD, y1: y(0), y2: y(0), ...thin, "stroke-opacity": 0.4 }));
+  if (mark !== null) svg.append(element("line", { class: "station", x1: x(mark), x2: x(mark), y1: 0, y2: HEIGHT, ...thin, "stroke-dasharray": "3 2" }));
+  svg.append(element("polyline", { points: points.map(([a, b]) => `${x(a)},${y(b)}`).join(" "), fill: "none", ...thin, "stroke-width": 1.75, "stroke-linejoin": "round" }));
   const value = mark === null ? null : valueAt(points, mark);
-  if (value !== null) svg.append(shape("path", { class: "station", d: `M${x(mark)},${y(value)}h0`, ...thin, "stroke-width": 7, "stroke-linecap": "round" }));
+  if (value !== null) svg.append(element("path", { class: "station", d: `M${x(mark)},${y(value)}h0`, ...thin, "stroke-width": 7, "stroke-linecap": "round" }));
   return svg;
 }
 

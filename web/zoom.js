@@ -1,7 +1,6 @@
 // A part of the fan chart made large: by a box, wheel, two fingers, buttons and keys.
 
-import { element } from "./chart.js";
-import { at } from "./dom.js";
+import { at, element } from "./dom.js";
 import { inUnit, frequencyFactor } from "./frame.js";
 
 /** So many rotor speeds are solved in a window. */
