@@ -6,7 +6,7 @@ import { fileURLToPath } from "node:url";
 import { test } from "node:test";
 import { pack, unpack } from "../../web/pack.js";
 import { NEUTRAL } from "../../web/scale.js";
-import { drawn, frequencies, open } from "./support.mjs";
+import { drawn, frequencies, open, pageTest } from "./support.mjs";
 
 const state = {
   doc: { schema: "bladefan-blade/1", rotor: { radius: 2 } }, text: null, choice: "", tab: "shapes", speed: { value: 300, unit: "rpm" }, speedUnit: "rpm",
@@ -83,92 +83,62 @@ test("a link carries blade and view to another browser", async () => {
   }
 });
 
-test("a link opened again is kept once", async () => {
-  const fragment = `#${await pack({ ...state, doc: null, text: UNIFORM, measured: "", chosen: "1F" })}`;
-  const { page, complaints, close } = await open({ fragment });
-  try {
-    for (let i = 0; i < 3; i++) {
-      await page.waitForFunction(() => JSON.parse(localStorage.getItem("bladefan-blades") ?? "[]").length === 1);
-      await page.reload();
-      await drawn(page);
-      await page.waitForTimeout(800);
-    }
-    assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem("bladefan-blades")).length), 1);
-    assert.deepEqual(complaints, []);
-  } finally {
-    await close();
-  }
-});
-
-test("a broken link gives a message and the page as it would be", async () => {
-  for (const fragment of ["#nonsense", "#1.AAAA", "#%", "#1.%3Cscript%3E"]) {
-    const { page, complaints, close } = await open({ fragment });
-    try {
-      await page.locator("#message", { hasText: "The link cannot be read" }).waitFor();
-      assert.equal(await page.locator("#blade-choice").inputValue(), "tm4760");
-      assert.deepEqual(complaints, []);
-    } finally {
-      await close();
-    }
-  }
-});
-
-test("an own blade is back at the next visit, with a way to the built-in ones", async () => {
-  const { page, complaints, close } = await open();
-  try {
-    await page.locator('[data-path="name"]').fill("my blade");
-    await page.locator('[data-path="rotor.nominal_speed"]').fill("700");
-    await page.locator("#numbers-title", { hasText: "700 rpm" }).waitFor();
-    await page.waitForFunction(() => localStorage.getItem("bladefan-blades")?.includes("my blade"));
-    await page.waitForTimeout(600);
+const sent = await pack({ ...state, doc: null, text: UNIFORM, measured: "", chosen: "1F" });
+pageTest("a link opened again is kept once", { fragment: `#${sent}` }, async (page) => {
+  for (let i = 0; i < 3; i++) {
+    await page.waitForFunction(() => JSON.parse(localStorage.getItem("bladefan-blades") ?? "[]").length === 1);
     await page.reload();
     await drawn(page);
-    await page.locator("#message", { hasText: "Your blade is back" }).waitFor();
-    await page.locator("#numbers-title", { hasText: "700 rpm" }).waitFor();
-    assert.equal(await page.locator('[data-path="name"]').inputValue(), "my blade");
+    await page.waitForTimeout(800);
+  }
+  assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem("bladefan-blades")).length), 1);
+});
 
-    await page.locator("#blade-choice").selectOption("sa330");
-    await page.waitForFunction(() => document.querySelector('[data-path="name"]').value.includes("SA 330"));
-    const kept = page.locator("#blade-choice optgroup option", { hasText: "my blade" });
-    await page.locator("#blade-choice").selectOption(await kept.getAttribute("value"));
-    await page.locator("#numbers-title", { hasText: "700 rpm" }).waitFor();
+for (const fragment of ["#nonsense", "#1.AAAA", "#%", "#1.%3Cscript%3E"]) {
+  pageTest(`a broken link gives a message and the page as it would be: ${fragment}`, { fragment }, async (page) => {
+    await page.locator("#message", { hasText: "The link cannot be read" }).waitFor();
+    assert.equal(await page.locator("#blade-choice").inputValue(), "tm4760");
+  });
+}
 
-    await page.locator("#download summary").click();
-    await page.locator("#forget").click();
-    await page.locator("#message", { hasText: "forgotten" }).waitFor();
-    assert.equal(await page.evaluate(() => localStorage.getItem("bladefan-blades")), null);
-    assert.deepEqual(complaints, []);
-  } finally {
-    await close();
+pageTest("an own blade is back at the next visit, with a way to the built-in ones", {}, async (page) => {
+  await page.locator('[data-path="name"]').fill("my blade");
+  await page.locator('[data-path="rotor.nominal_speed"]').fill("700");
+  await page.locator("#numbers-title", { hasText: "700 rpm" }).waitFor();
+  await page.waitForFunction(() => localStorage.getItem("bladefan-blades")?.includes("my blade"));
+  await page.waitForTimeout(600);
+  await page.reload();
+  await drawn(page);
+  await page.locator("#message", { hasText: "Your blade is back" }).waitFor();
+  await page.locator("#numbers-title", { hasText: "700 rpm" }).waitFor();
+  assert.equal(await page.locator('[data-path="name"]').inputValue(), "my blade");
+
+  await page.locator("#blade-choice").selectOption("sa330");
+  await page.waitForFunction(() => document.querySelector('[data-path="name"]').value.includes("SA 330"));
+  const kept = page.locator("#blade-choice optgroup option", { hasText: "my blade" });
+  await page.locator("#blade-choice").selectOption(await kept.getAttribute("value"));
+  await page.locator("#numbers-title", { hasText: "700 rpm" }).waitFor();
+
+  await page.locator("#download summary").click();
+  await page.locator("#forget").click();
+  await page.locator("#message", { hasText: "forgotten" }).waitFor();
+  assert.equal(await page.evaluate(() => localStorage.getItem("bladefan-blades")), null);
+});
+
+pageTest("a kept blade that is broken does no harm", {}, async (page) => {
+  for (const broken of ["{", "7", '[{"id":"a","packed":"1.x","name":"b","time":1}]', '[{"id":1}]']) {
+    await page.evaluate((broken) => localStorage.setItem("bladefan-blades", broken), broken);
+    await page.reload();
+    await drawn(page);
+    assert.equal(await page.locator("#blade-choice").inputValue(), "tm4760", broken);
   }
 });
 
-test("a kept blade that is broken does no harm", async () => {
-  const { page, complaints, close } = await open();
-  try {
-    for (const broken of ["{", "7", '[{"id":"a","packed":"1.x","name":"b","time":1}]', '[{"id":1}]']) {
-      await page.evaluate((broken) => localStorage.setItem("bladefan-blades", broken), broken);
-      await page.reload();
-      await drawn(page);
-      assert.equal(await page.locator("#blade-choice").inputValue(), "tm4760", broken);
-    }
-    assert.deepEqual(complaints, []);
-  } finally {
-    await close();
-  }
-});
-
-test("a file of 10 MB is refused, and nothing is lost", async () => {
-  const { page, complaints, close } = await open();
-  try {
-    const before = await frequencies(page);
-    await page.locator("#file-input").setInputFiles({ name: "huge.toml", mimeType: "", buffer: Buffer.alloc(10_000_000, "#") });
-    await page.locator("#message", { hasText: "huge.toml has 10 MB" }).waitFor();
-    assert.deepEqual(await frequencies(page), before);
-    assert.deepEqual(complaints, []);
-  } finally {
-    await close();
-  }
+pageTest("a file of 10 MB is refused, and nothing is lost", {}, async (page) => {
+  const before = await frequencies(page);
+  await page.locator("#file-input").setInputFiles({ name: "huge.toml", mimeType: "", buffer: Buffer.alloc(10_000_000, "#") });
+  await page.locator("#message", { hasText: "huge.toml has 10 MB" }).waitFor();
+  assert.deepEqual(await frequencies(page), before);
 });
 
 test("once loaded the page works without a network", async () => {
