@@ -1,6 +1,7 @@
 // The drawing, and what the page lays over it: layers in the drawing's own pixels, and handles.
 
-import { SVG, element } from "./dom.js";
+import { element } from "./dom.js";
+import { Drawing } from "./drawing.js";
 import { fieldNumber } from "./format.js";
 import { Frame } from "./frame.js";
 
@@ -9,22 +10,12 @@ const LAYERS = ["before", "edges", "mark", "hover", "box"];
 /** A finger that has moved this far drags. */
 const SLACK = 4;
 
-function parse(text) {
-  const parsed = new DOMParser().parseFromString(text, "image/svg+xml");
-  const root = parsed.documentElement;
-  if (root.localName !== "svg" || root.namespaceURI !== SVG || parsed.querySelector("parsererror") !== null) {
-    throw new Error("the drawing is not an SVG");
-  }
-  return document.adoptNode(root);
-}
-
-function drawn(drawing, title) {
-  const svg = parse(drawing.svg);
+/** The drawing is as wide as its place, and one picture to a screen reader. */
+function fit(svg, title) {
   svg.setAttribute("role", "img");
   svg.setAttribute("aria-label", title);
   svg.removeAttribute("width");
   svg.removeAttribute("height");
-  return svg;
 }
 
 /**
@@ -32,7 +23,8 @@ function drawn(drawing, title) {
  * ({above, below} the first frame) leaves out the drawing's own title and notes.
  */
 export function place(host, drawing, title, crop) {
-  const svg = drawn(drawing, title);
+  const svg = new Drawing(drawing.svg).root;
+  fit(svg, title);
   let { height } = drawing;
   if (crop) {
     const frame = drawing.plots[0];
@@ -53,6 +45,7 @@ export class Chart {
   #overlay;
   #clip = element("rect", {});
   #size = "";
+  #drawing = null;
   #listeners = [];
   #takers = [];
   #drag = null;
@@ -79,7 +72,7 @@ export class Chart {
 
   /** Shows a drawing of `chart_svg`; `title` is what a screen reader says of it, `words` what it says of the place. */
   show(drawing, { title, words, isFan }) {
-    const svg = drawn(drawing, title);
+    this.#draw(drawing.svg, title);
     this.#describe(words, isFan);
     const size = `${drawing.width} ${drawing.height}`;
     if (size !== this.#size) {
@@ -88,9 +81,6 @@ export class Chart {
       this.host.style.maxWidth = `${drawing.width}px`;
       this.#overlay.setAttribute("viewBox", `0 0 ${size}`);
     }
-    const [old] = this.host.children;
-    if (old?.localName === "svg" && old !== this.#overlay) old.replaceWith(svg);
-    else this.host.prepend(svg, this.#overlay);
     this.host.classList.toggle("draggable", isFan);
     this.frame = isFan ? new Frame(drawing) : null;
     this.#overlay.classList.toggle("off", !isFan);
@@ -100,6 +90,16 @@ export class Chart {
     }
     this.mark(this.#speed);
     for (const listener of this.#listeners) listener(this.frame);
+  }
+
+  #draw(text, title) {
+    if (!this.#drawing?.become(text)) {
+      const old = this.#drawing?.root;
+      this.#drawing = new Drawing(text);
+      if (old) old.replaceWith(this.#drawing.root);
+      else this.host.prepend(this.#drawing.root, this.#overlay);
+    }
+    fit(this.#drawing.root, title);
   }
 
   #describe(words, isFan) {

@@ -5,7 +5,7 @@ const CACHE = "bladefan";
 const FILES = [
   "./", "icon.svg", "blade.css", "chart.css", "motion.css", "print.css", "stations.css", "style.css", "band.js",
   "before.js", "blade.js", "chart-data.js", "chart-tools.js", "chart.js", "client.js", "close-tools.js",
-  "columns.js", "document.js", "dom.js", "download.js", "editor.js", "form.js", "format.js", "frame.js", "hover.js",
+  "columns.js", "document.js", "dom.js", "drawing.js", "download.js", "editor.js", "form.js", "format.js", "frame.js", "hover.js",
   "lesson.js", "main.js", "measured.js", "motion.js", "nearness.js", "pack.js", "paste-panel.js", "paste.js",
   "plate.js", "profile.js", "report.js", "save.js", "scale.js", "sensitivity.js", "session.js", "shape.js",
   "share.js", "sheet-editor.js", "sheet-keys.js", "sheet.js", "solve.js", "span-forms.js", "span.js", "speed.js",
