@@ -7,7 +7,7 @@
 //   marked         Markdown as GitHub reads it
 //   temml          TeX to MathML, which browsers draw by themselves
 //   stix-two-math  the font for it, since many systems have none
-import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, posix } from "node:path";
 import { fileURLToPath } from "node:url";
 import { Equations } from "./equations.mjs";
@@ -78,10 +78,12 @@ for (const [source, address] of files) cpSync(root + source, `${aside}/${address
 const [colours] = /^:root \{[^}]*\}\n/m.exec(read("web/style.css"));
 write("docs.css", colours + read("scripts/docs/docs.css"));
 write("math.css", readFileSync(`${packages}temml/dist/Temml-Local.css`, "utf8") + read("scripts/docs/math.css") + equations.css());
+const font = "@fontsource/stix-two-math";
 cpSync(`${packages}temml/dist/Temml.woff2`, `${aside}/Temml.woff2`); // primes and script letters
-cpSync(`${packages}@fontsource/stix-two-math/files/stix-two-math-latin-400-normal.woff2`, `${aside}/STIXTwoMath.woff2`);
-cpSync(`${packages}@fontsource/stix-two-math/LICENSE`, `${aside}/STIXTwoMath-LICENSE.txt`);
+cpSync(`${packages}temml/LICENSE`, `${aside}/Temml-LICENSE.txt`);
+cpSync(`${packages}${font}/files/stix-two-math-latin-400-normal.woff2`, `${aside}/STIXTwoMath.woff2`);
+cpSync(`${packages}${font}/LICENSE`, `${aside}/STIXTwoMath-LICENSE.txt`);
 
 rmSync(site, { recursive: true, force: true });
-renameSync(aside, site);
+cpSync(aside, site, { recursive: true }); // a rename would fail where target/ lies on another disk
 console.log(`docs-site: ${pages.length} pages, ${equations.count} equations in web/docs`);

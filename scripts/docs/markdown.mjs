@@ -33,6 +33,7 @@ export function render(text, { name, equations, resolve }) {
   const marked = new Marked({
     gfm: true,
     walkTokens(token) {
+      if (token.type === "html") token.text = token.text.replace(/\b(src|srcset|href)="([^"]+)"/g, (_, key, to) => `${key}="${escaped(resolve(to).href)}"`);
       if (token.type !== "link" && token.type !== "image") return;
       const { href, name } = resolve(token.href);
       token.href = href;

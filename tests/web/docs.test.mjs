@@ -87,13 +87,14 @@ test("every equation is drawn", async () => {
 });
 
 test("Markdown is read as on GitHub", () => {
-  const read = (text) => render(text, { name: "test", equations: new Equations(), resolve: (href) => ({ href }) }).body;
+  const read = (text) => render(text, { name: "test", equations: new Equations(), resolve: (href) => ({ href: `to/${href}` }) }).body;
   const math = (text) => read(`# T\n\n${text}`).match(/<math/g)?.length ?? 0;
   assert.equal(math("$a_1$ and $b_2$, ($c$)"), 3);
   assert.equal(math("5 $ and 6 $, or $5 and 6$7, or `$x$`"), 0);
   assert.ok(!read("# T\n\n*not* $a*b$ and $c*d$").includes("<em>b"));
   assert.match(read("# T\n\n($c$),"), /<span class="kept">\(<math>.*<\/math>\),<\/span>/);
   assert.match(read("# T\n\n## A `b`: c, d\n\n## A `b`: c, d"), /id="a-b-c-d".*id="a-b-c-d-1"/s);
+  assert.match(read('# T\n\n<img src="a.svg" alt="a">\n\n[csv](a.csv)'), /src="to\/a.svg".*href="to\/a.csv"/s);
   assert.throws(() => read("# T\n\n$\\nonsense$"), /test: .*nonsense/s);
 });
 
