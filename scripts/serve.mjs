@@ -10,6 +10,7 @@ const root = fileURLToPath(new URL("../web", import.meta.url));
 // A browser compiles wasm while it streams in, and runs modules at all, only under these types.
 const types = {
   ".css": "text/css; charset=utf-8",
+  ".csv": "text/csv; charset=utf-8",
   ".html": "text/html; charset=utf-8",
   ".js": "text/javascript; charset=utf-8",
   ".json": "application/json",
@@ -17,6 +18,7 @@ const types = {
   ".png": "image/png",
   ".svg": "image/svg+xml",
   ".toml": "text/plain; charset=utf-8",
+  ".txt": "text/plain; charset=utf-8",
   ".wasm": "application/wasm",
   ".webmanifest": "application/manifest+json",
   ".woff2": "font/woff2",

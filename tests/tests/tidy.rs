@@ -22,6 +22,7 @@ fn files(folder: &str) -> Vec<PathBuf> {
             let name = path.file_name().unwrap().to_str().unwrap();
             let built = ["target", "node_modules", ".git", "screenshots", "test-results"].contains(&name)
                 || name == "pkg"
+                || path.ends_with("web/docs")
                 || name.starts_with("pkg-");
             if path.is_dir() && !built {
                 open.push(path);

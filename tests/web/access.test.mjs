@@ -1,23 +1,14 @@
 // What axe-core finds on the page: nothing, in every tab, light and dark, wide and narrow.
 
 import assert from "node:assert/strict";
-import { createRequire } from "node:module";
 import { test } from "node:test";
-import { open, paste } from "./support.mjs";
-
-const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
-/** Rules that are broken, with the elements that break them. */
-async function findings(page) {
-  const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
-  return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(" ")).join(", ")}`);
-}
+import { findings, open, paste } from "./support.mjs";
 
 for (const [width, height, colorScheme] of [[1280, 800, "light"], [1280, 800, "dark"], [390, 844, "light"], [390, 844, "dark"]]) {
   test(`nothing to find at ${width} px, ${colorScheme}`, async () => {
     // The page's own policy would stop a script from elsewhere; bypassed for axe alone.
     const { page, close } = await open({ viewport: { width, height }, colorScheme, bypassCSP: true });
     try {
-      await page.addScriptTag({ path: axe });
       for (const tab of ["fan", "shapes", "converge", "stations", "text"]) {
         await page.locator(`#tab-${tab}`).click();
         await page.locator(`#chart > svg[aria-label^="${{ shapes: "Mode", converge: "Conv" }[tab] ?? "Fan"}"]`).waitFor();

@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { existsSync, mkdirSync } from "node:fs";
+import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
@@ -42,10 +43,10 @@ export function pageTest(name, options, body) {
 }
 
 /**
- * Opens the page and waits for its first chart. What the console says, what fails and what is
- * asked of another host is kept in `complaints`, which every test expects to stay empty.
+ * A page that is watched: what the console says, what fails and what is asked of another host is
+ * kept in `complaints`, which every test expects to stay empty.
  */
-export async function open({ fragment = "", ...options } = {}) {
+export async function watched(options) {
   const { browser, origin } = site;
   const context = await browser.newContext({ serviceWorkers: "block", reducedMotion: "reduce", viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
   context.setDefaultTimeout(15_000);
@@ -63,9 +64,27 @@ export async function open({ fragment = "", ...options } = {}) {
   page.on("response", (response) => {
     if (response.status() >= 400) complaints.push(`status ${response.status()}: ${response.url()}`);
   });
-  await page.goto(`${origin}/${fragment}`);
-  await drawn(page);
   return { page, complaints, close: () => context.close() };
+}
+
+/** Opens the calculator, watched, and waits for its first chart. */
+export async function open({ fragment = "", ...options } = {}) {
+  const opened = await watched(options);
+  await opened.page.goto(`${site.origin}/${fragment}`);
+  await drawn(opened.page);
+  return opened;
+}
+
+const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+
+/**
+ * The rules of axe-core that a page breaks, with the elements that break them; the page needs
+ * `bypassCSP`. `context` and `options` are axe's own.
+ */
+export async function findings(page, context = {}, options = {}) {
+  if (await page.evaluate(() => typeof axe === "undefined")) await page.addScriptTag({ path: axe });
+  const { violations } = await page.evaluate(([context, options]) => axe.run({ include: document, ...context }, { resultTypes: ["violations"], ...options }), [context, options]);
+  return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(" ")).join(", ")}`);
 }
 
 /** Waits until the chart, the table and the slider are there. */
