@@ -1,0 +1,136 @@
+"""What is compared with which program, how near it must come, and why just that near."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+HERE = Path(__file__).parent
+BENDING = ("1F", "2F", "3F", "1L", "2L", "3L")
+TORSION = ("1T", "2T", "3T")
+
+# Rectangular section, clamped at 0.1 m. Steel but for Poisson's ratio, which each case chooses.
+STRIP = {
+    "name": "rectangular strip",
+    "radius": 1.0,
+    "root": 0.1,
+    "chord": 0.02,
+    "thickness": 0.005,
+    "youngs_modulus": 2.1e11,
+    "density": 7800.0,
+    "nominal_speed": 150.0,
+}
+
+
+@dataclass(frozen=True)
+class Case:
+    name: str
+    title: str
+    program: str  # pybmodes or calculix
+    speeds: tuple  # rad/s
+    modes: tuple
+    coarse: object  # number of elements: along the blade, or along, chordwise and through
+    fine: object
+    tolerance: float  # of the frequency, on what no named effect explains
+    reason: str
+    source: str
+    blade: Path | str | None = None  # a file, or a built-in blade
+    order: int = 0  # the fine and coarse results are extrapolated with this order, 0: they are not
+    flat: float = 0.5  # part of the polar inertia that lies in the chord, see bmodes.write
+    poisson: float = 0.0
+
+
+CASES = (
+    Case(
+        name="uniform",
+        title="uniform cantilever",
+        program="pybmodes",
+        blade=HERE / "blades/uniform.toml",
+        speeds=(0.0, 2.0, 6.0, 12.0),
+        modes=BENDING + TORSION,
+        coarse=40,
+        fine=80,
+        tolerance=1e-7,
+        source="the same equations, in cubic beam elements (quadratic in torsion); inertia split evenly, "
+        "which leaves no propeller moment",
+        reason="the elements' own error falls as h^4, 16-fold from the coarse mesh to the fine, and 3F with "
+        "three waves in 80 elements keeps 6.5e-8",
+    ),
+    Case(
+        name="tapered",
+        title="tapered cantilever",
+        program="pybmodes",
+        blade=HERE / "blades/tapered.toml",
+        speeds=(0.0, 20.0, 40.0, 60.0),
+        modes=BENDING + TORSION,
+        coarse=80,
+        fine=160,
+        order=2,
+        tolerance=3e-7,
+        source="as above; every property is linear along the blade in both programs",
+        reason="pyBmodes holds properties constant in an element, which errs as h^2; extrapolated from two "
+        "meshes h^4 is left, and the rounding of a dense eigenproblem of order 1440, near 1e-7 in 1F and 1L at rest",
+    ),
+    Case(
+        name="bo105",
+        title="Bo 105 (estimated), built in",
+        program="pybmodes",
+        blade="bo105",
+        speeds=(0.0, 22.2, 44.4),
+        modes=BENDING,
+        coarse=40,
+        fine=80,
+        tolerance=4e-7,
+        source="as above; twist and mass offset left out on both sides, torsion not compared: pyBmodes has no "
+        "pitch spring",
+        reason="steps lie between elements, so h^4 as on the uniform blade; the short soft neck has 10 of the "
+        "80 elements and keeps 3e-7",
+    ),
+    Case(
+        name="propeller",
+        title="uniform cantilever with the propeller moment of a flat section",
+        program="pybmodes",
+        blade=HERE / "blades/uniform.toml",
+        speeds=(0.0, 2.0, 6.0, 12.0),
+        modes=TORSION,
+        coarse=40,
+        fine=80,
+        flat=0.99,
+        tolerance=1e-7,
+        source="pyBmodes with 99 % of the polar inertia in the chord; bladefan has the paper's torsion term, "
+        "without that moment",
+        reason="on a uniform section the moment adds exactly 0.98 speed^2 to frequency^2, named `propeller`; "
+        "what is left is the elements' error",
+    ),
+    Case(
+        name="strip",
+        title="rectangular strip of solid elements, Poisson's ratio 0",
+        program="calculix",
+        speeds=(0.0, 75.0, 150.0),
+        modes=BENDING + ("1T",),
+        coarse=(60, 4, 2),
+        fine=(60, 8, 4),
+        tolerance=2e-4,
+        source="C3D20R, all nodes of the root section held, static step with CENTRIF, then a perturbation "
+        "frequency step; bladefan has the section's EI, GJ (Saint-Venant's series), m and polar inertia",
+        reason="the named effects are of first order; the largest is 0.5 %, and its square 3e-5. 1T still moves by "
+        "some 1e-4 with the mesh, and its clamp is estimated as a beam's. Without Poisson's effect the clamp holds nothing in bending",
+    ),
+    Case(
+        name="steel",
+        title="the same strip, Poisson's ratio 0.3",
+        program="calculix",
+        speeds=(0.0, 150.0),
+        modes=BENDING + ("1T",),
+        coarse=(60, 4, 2),
+        fine=(60, 8, 4),
+        poisson=0.3,
+        tolerance=2.5e-3,
+        source="as above",
+        reason="the clamp also holds the chordwise curvature that goes with bending: (1 - 0.3^2)^-1 times the "
+        "stiffness over about half a chord at the root, where 4/l of 1F's strain energy sits, is 0.2 % of 1F, "
+        "and nothing of it is in a beam. The strip above is this one without it",
+    ),
+)
+
+
+def case(name):
+    return next(one for one in CASES if one.name == name)
