@@ -76,8 +76,17 @@ def at(blade, name, r):
 def boundaries(blade, root, elements):
     """Radii of the ends of elements: every station, and even pieces between."""
     radius = blade["rotor"]["radius"]
-    names = ("mass", "flap_stiffness", "lag_stiffness", "torsion_stiffness", "polar_inertia")
-    cuts = sorted({root, radius} | {r for name in names for r in stations(blade, name)[0] if root < r < radius})
+    names = (
+        "mass",
+        "flap_stiffness",
+        "lag_stiffness",
+        "torsion_stiffness",
+        "polar_inertia",
+    )
+    cuts = sorted(
+        {root, radius}
+        | {r for name in names for r in stations(blade, name)[0] if root < r < radius}
+    )
     ends = [root]
     for a, b in zip(cuts, cuts[1:]):
         pieces = max(1, round(elements * (b - a) / (radius - root)))
@@ -90,7 +99,9 @@ def write(folder, blade, elements, flat):
     has no propeller moment, one is a plate's. pyBmodes takes an element's properties at its middle,
     so they are tabulated there, and steps stay between elements."""
     if set(blade.get("units", {})) - {"angle"}:
-        raise SystemExit(f"peers: {blade['name']}: only blades in SI units are written for pyBmodes")
+        raise SystemExit(
+            f"peers: {blade['name']}: only blades in SI units are written for pyBmodes"
+        )
     root, radius = blade["flap"].get("offset", 0.0), blade["rotor"]["radius"]
     ends = boundaries(blade, root, elements)
     span = [(r - root) / (radius - root) for r in ends]
@@ -107,14 +118,26 @@ def write(folder, blade, elements, flat):
     )
     (folder / "blade.bmi").write_text(main)
     middles = [(a + b) / 2 for a, b in zip(ends, ends[1:])]
-    tabulated = [(0.0, middles[0]), *(((r - root) / (radius - root), r) for r in middles), (1.0, middles[-1])]
+    tabulated = [
+        (0.0, middles[0]),
+        *(((r - root) / (radius - root), r) for r in middles),
+        (1.0, middles[-1]),
+    ]
     stiffest = max(at(blade, "lag_stiffness", r) for r in middles)
-    rows = [blade["name"], f"{len(tabulated)} n_secs", "", "columns as pyBmodes names them", "SI"]
+    rows = [
+        blade["name"],
+        f"{len(tabulated)} n_secs",
+        "",
+        "columns as pyBmodes names them",
+        "SI",
+    ]
     for part, r in tabulated:
         polar = at(blade, "polar_inertia", r)
         row = [part, 0.0, 0.0, at(blade, "mass", r), (1 - flat) * polar, flat * polar]
         row += [at(blade, f"{dof}_stiffness", r) for dof in ("flap", "lag", "torsion")]
-        rows.append(" ".join(map(repr, [*row, AXIAL * stiffest / radius**2, 0.0, 0.0, 0.0])))
+        rows.append(
+            " ".join(map(repr, [*row, AXIAL * stiffest / radius**2, 0.0, 0.0, 0.0]))
+        )
     (folder / "sections.dat").write_text("\n".join(rows) + "\n")
     return folder / "blade.bmi"
 
@@ -124,7 +147,9 @@ def ask(python, deck, speeds, modes):
     request = json.dumps({"deck": str(deck), "speeds": speeds, "modes": modes})
     command = [str(python), str(HERE / "bmodes_worker.py")]
     start = time.perf_counter()
-    run = subprocess.run(command, input=request, env=ENVIRONMENT, capture_output=True, text=True)
+    run = subprocess.run(
+        command, input=request, env=ENVIRONMENT, capture_output=True, text=True
+    )
     seconds = time.perf_counter() - start
     if run.returncode != 0:
         raise SystemExit(f"peers: pyBmodes failed on {deck}:\n{run.stderr[-2000:]}")

@@ -20,7 +20,9 @@ PURE = 0.999
 def labelled(frequencies, participation):
     """{label: rad/s} at one speed, numbered by ascending frequency within flap, lag and torsion."""
     found, counts = {}, [0, 0, 0]
-    for hertz, parts in sorted(zip(frequencies, participation), key=lambda mode: mode[0]):
+    for hertz, parts in sorted(
+        zip(frequencies, participation), key=lambda mode: mode[0]
+    ):
         axis = int(numpy.argmax(parts))
         if parts[axis] < PURE:
             raise SystemExit(f"the mode at {hertz} Hz is mixed: {parts}")
@@ -38,7 +40,9 @@ def main():
     start = time.perf_counter()
     chart = campbell_sweep(blade, rpm, n_blade_modes=request["modes"])
     seconds = time.perf_counter() - start
-    modes = [labelled(*at_speed) for at_speed in zip(chart.frequencies, chart.participation)]
+    modes = [
+        labelled(*at_speed) for at_speed in zip(chart.frequencies, chart.participation)
+    ]
     versions = {name: version(name) for name in ("pybmodes", "numpy", "scipy")}
     json.dump({"versions": versions, "modes": modes, "chart_s": seconds}, sys.stdout)
 

@@ -45,23 +45,35 @@ def explained(case, blade, speed):
         report = ours.shapes(blade, speed)
         by_label = {shape["label"]: shape for shape in report["shapes"]}
         section = Section(STRIP, case.poisson)
-        return lambda mode: effects(STRIP, section, by_label[mode["label"]], report["r_m"], speed)
+        return lambda mode: effects(
+            STRIP, section, by_label[mode["label"]], report["r_m"], speed
+        )
     if case.flat == 0.5:
         return lambda mode: {}
     added = (2 * case.flat - 1) * speed**2
-    return lambda mode: {"propeller": math.sqrt(1 + added / mode["frequency_rad_s"] ** 2) - 1}
+    return lambda mode: {
+        "propeller": math.sqrt(1 + added / mode["frequency_rad_s"] ** 2) - 1
+    }
 
 
 def deck(case, elements):
-    text = case.blade.read_text() if isinstance(case.blade, Path) else ours.text("blades", case.blade)
-    return bmodes.write(WORK / f"{case.name}-{elements}", tomllib.loads(text), elements, case.flat)
+    text = (
+        case.blade.read_text()
+        if isinstance(case.blade, Path)
+        else ours.text("blades", case.blade)
+    )
+    return bmodes.write(
+        WORK / f"{case.name}-{elements}", tomllib.loads(text), elements, case.flat
+    )
+
+
+def solid(case, mesh, speed):
+    return calculix.solve(WORK / case.name, STRIP, case.poisson, case.held, mesh, speed)
 
 
 def their_rows(case, mesh):
     if case.program == "calculix":
-        by_speed = [
-            calculix.solve(WORK / case.name, STRIP, case.poisson, mesh, speed)[0] for speed in case.speeds
-        ]
+        by_speed = [solid(case, mesh, speed)[0] for speed in case.speeds]
     else:
         answer, _ = bmodes.ask(PYTHON, deck(case, mesh), case.speeds, PYBMODES_MODES)
         by_speed = answer["modes"]
@@ -69,14 +81,20 @@ def their_rows(case, mesh):
     for speed, modes in zip(case.speeds, by_speed):
         for label in case.modes:
             if label not in modes:
-                raise SystemExit(f"peers: {case.program} did not find {label} of {case.name} at {speed} rad/s")
+                raise SystemExit(
+                    f"peers: {case.program} did not find {label} of {case.name} at {speed} rad/s"
+                )
             rows[label, speed] = modes[label]
     return rows
 
 
 def measured(case):
     """The rows of the record."""
-    own, coarse, fine = our_rows(case), their_rows(case, case.coarse), their_rows(case, case.fine)
+    own, coarse, fine = (
+        our_rows(case),
+        their_rows(case, case.coarse),
+        their_rows(case, case.fine),
+    )
     return [
         {
             "mode": mode,
@@ -87,7 +105,9 @@ def measured(case):
             "fine_rad_s": fine[mode, speed],
             "effects": named,
         }
-        for (mode, speed), (omega, half, named) in sorted(own.items(), key=lambda item: item[0][1])
+        for (mode, speed), (omega, half, named) in sorted(
+            own.items(), key=lambda item: item[0][1]
+        )
     ]
 
 
@@ -100,18 +120,33 @@ def chart_times(runs):
     tapered = case("tapered")
     report, _ = ours.chart(tapered.blade, tapered.speeds[-1])
     speeds = report["speeds_rad_s"]
-    exact = {branch["label"]: branch["frequency_rad_s"] for branch in report["branches"]}
+    exact = {
+        branch["label"]: branch["frequency_rad_s"] for branch in report["branches"]
+    }
     half = max(half for _, half, _ in our_rows(tapered).values())
     task = f"fan chart of the {tapered.title}, {len(exact)} modes, {len(speeds)} speeds"
-    process = median([ours.chart(tapered.blade, tapered.speeds[-1])[1] for _ in range(runs)])
+    process = median(
+        [ours.chart(tapered.blade, tapered.speeds[-1])[1] for _ in range(runs)]
+    )
     rows = [time_row(task, "bladefan", "converged", process, half, "bounds")]
     for elements in (20, 80):
         path = deck(tapered, elements)
-        answers = [bmodes.ask(PYTHON, path, speeds, PYBMODES_MODES) for _ in range(runs)]
+        answers = [
+            bmodes.ask(PYTHON, path, speeds, PYBMODES_MODES) for _ in range(runs)
+        ]
         charts = answers[0][0]["modes"]
-        error = max(abs(modes[label] / exact[label][i] - 1) for i, modes in enumerate(charts) for label in exact)
-        row = time_row(task, "pybmodes", f"{elements} elements", median([s for _, s in answers]), error, "from bladefan")
-        rows.append({**row, "solve_s": median([answer["chart_s"] for answer, _ in answers])})
+        error = max(
+            abs(modes[label] / exact[label][i] - 1)
+            for i, modes in enumerate(charts)
+            for label in exact
+        )
+        process = median([seconds for _, seconds in answers])
+        row = time_row(
+            task, "pybmodes", mesh_name(elements), process, error, "from bladefan"
+        )
+        rows.append(
+            {**row, "solve_s": median([answer["chart_s"] for answer, _ in answers])}
+        )
     return rows
 
 
@@ -119,19 +154,20 @@ def speed_times(runs):
     """One speed of the strip: a beam in bladefan, solid elements in CalculiX."""
     strip = case("strip")
     blade, speed = blade_file(strip), strip.speeds[-1]
-    task = f"{strip.title.split(' of ')[0]} at {speed:g} rad/s, 3F 3L 1T"
-    report, _ = ours.modes(blade, speed)
-    half = max((m["upper_rad_s"] - m["lower_rad_s"]) / 2 / m["frequency_rad_s"] for m in report["modes"])
+    task = f"{STRIP['name']} at {speed:g} rad/s, {len(strip.modes)} modes"
+    half = max(half for _, half, _ in our_rows(strip).values())
     process = median([ours.modes(blade, speed)[1] for _ in range(runs)])
     rows = [time_row(task, "bladefan", "converged", process, half, "bounds")]
-    best = None
+    finest = None
     for mesh in (strip.fine, strip.coarse):
-        answers = [calculix.solve(WORK / strip.name, STRIP, strip.poisson, mesh, speed) for _ in range(runs)]
-        modes = answers[0][0]
-        best = best or modes
-        error = max(abs(modes[label] / best[label] - 1) for label in strip.modes)
-        kind = "from the finer mesh" if mesh != strip.fine else None
-        rows.append(time_row(task, "calculix", mesh_name(mesh), median([s for _, s in answers]), error, kind))
+        answers = [solid(strip, mesh, speed) for _ in range(runs)]
+        modes, process = answers[0][0], median([seconds for _, seconds in answers])
+        finest = finest or modes
+        error = max(abs(modes[label] / finest[label] - 1) for label in strip.modes)
+        error_is = "from the finer mesh" if mesh != strip.fine else None
+        rows.append(
+            time_row(task, "calculix", mesh_name(mesh), process, error, error_is)
+        )
     return rows
 
 
@@ -141,4 +177,8 @@ def time_row(task, program, setting, process, error, error_is):
 
 
 def mesh_name(mesh):
-    return " × ".join(map(str, mesh)) + " elements" if isinstance(mesh, tuple) else f"{mesh} elements"
+    return (
+        " × ".join(map(str, mesh)) + " elements"
+        if isinstance(mesh, tuple)
+        else f"{mesh} elements"
+    )

@@ -12,12 +12,18 @@ ROOT = Path(__file__).parents[2]
 def program():
     """BLADEFAN, or the release build, or the debug build."""
     named = os.environ.get("BLADEFAN")
-    places = [Path(named)] if named else [ROOT / f"target/{profile}/bladefan" for profile in ("release", "debug")]
+    places = (
+        [Path(named)]
+        if named
+        else [ROOT / f"target/{profile}/bladefan" for profile in ("release", "debug")]
+    )
     for place in places:
         if place.is_file():
             return str(place.resolve())
     tried = named or "target/release/bladefan or target/debug/bladefan"
-    raise SystemExit(f"peers: no {tried}; build it with `cargo build --release -p bladefan`")
+    raise SystemExit(
+        f"peers: no {tried}; build it with `cargo build --release -p bladefan`"
+    )
 
 
 def text(*arguments):
@@ -40,13 +46,29 @@ def version():
 
 
 def modes(blade, speed, count=3):
-    return ask("modes", str(blade), "--speed", repr(float(speed)), "--modes", str(count))
+    return ask(
+        "modes", str(blade), "--speed", repr(float(speed)), "--modes", str(count)
+    )
 
 
 def shapes(blade, speed, count=3, points=801):
-    arguments = ("--speed", repr(float(speed)), "--modes", str(count), "--points", str(points))
+    arguments = (
+        "--speed",
+        repr(float(speed)),
+        "--modes",
+        str(count),
+        "--points",
+        str(points),
+    )
     return ask("shapes", str(blade), *arguments)[0]
 
 
 def chart(blade, speed, count=3, speeds=101):
-    return ask("fan", str(blade), "--speeds", f"0:{float(speed)!r}:{speeds}", "--modes", str(count))
+    return ask(
+        "fan",
+        str(blade),
+        "--speeds",
+        f"0:{float(speed)!r}:{speeds}",
+        "--modes",
+        str(count),
+    )

@@ -3,7 +3,16 @@ elements should differ from a slender beam. Each effect is of first order, and n
 
 import math
 
-SHEAR_COEFFICIENT = 5 / 6
+EFFECTS = {
+    "shear": "deformation by the shear force",
+    "rotary": "inertia of the sections as they tilt",
+    "clamp": "the root section cannot warp, which in torsion shortens the blade",
+    "propeller": "the propeller moment, which bladefan's torsion term leaves out: to frequency^2 it adds speed^2 "
+    "times the difference of the section's two moments of inertia, by their sum",
+    "tension": "the pull on fibres off the axis: in torsion it straightens the twisted ones, which bladefan "
+    "leaves out too; in bending it adds stress / E to EI",
+    "contraction": "the stretched blade is thinner by Poisson's ratio",
+}
 
 
 def odd_terms(count=40):
@@ -16,27 +25,40 @@ class Section:
     def __init__(self, strip, poisson):
         c, t = strip["chord"], strip["thickness"]
         self.youngs = strip["youngs_modulus"]
+        self.poisson = poisson
         self.shear = self.youngs / (2 * (1 + poisson))
         self.area = c * t
         self.mass = strip["density"] * self.area
         self.density = strip["density"]
+        self.shear_coefficient = 10 * (1 + poisson) / (12 + 11 * poisson)  # Cowper's
         self.second_moment = {"flap": c * t**3 / 12, "lag": t * c**3 / 12}
         self.polar = sum(self.second_moment.values())
         tail = sum(math.tanh(n * math.pi * c / (2 * t)) / n**5 for n in odd_terms())
         self.torsion = c * t**3 / 3 * (1 - 192 * t / (math.pi**5 * c) * tail)
         self.warping = warping(c, t)
 
+    def stiffness(self, dof):
+        if dof == "torsion":
+            return self.shear * self.torsion
+        return self.youngs * self.second_moment[dof]
+
     def blade(self, strip):
         """The same strip as a blade file."""
-        bending = {dof: self.youngs * moment for dof, moment in self.second_moment.items()}
-        roots = (("flap", "hingeless"), ("lag", "hingeless"), ("torsion", "rigid"))
-        lines = ['schema = "bladefan-blade/1"', f'name = "{strip["name"]}"', "", "[rotor]"]
-        lines += [f"radius = {strip['radius']!r}", f"nominal_speed = {strip['nominal_speed']!r}"]
-        for dof, root in roots:
+        roots = {"flap": "hingeless", "lag": "hingeless", "torsion": "rigid"}
+        lines = [
+            'schema = "bladefan-blade/1"',
+            f'name = "{strip["name"]}"',
+            "",
+            "[rotor]",
+        ]
+        lines += [
+            f"radius = {strip['radius']!r}",
+            f"nominal_speed = {strip['nominal_speed']!r}",
+        ]
+        for dof, root in roots.items():
             lines += ["", f"[{dof}]", f'root = "{root}"', f"offset = {strip['root']!r}"]
         lines += ["", "[distribution]", f"mass = {self.mass!r}"]
-        lines += [f"{dof}_stiffness = {value!r}" for dof, value in bending.items()]
-        lines += [f"torsion_stiffness = {self.shear * self.torsion!r}"]
+        lines += [f"{dof}_stiffness = {self.stiffness(dof)!r}" for dof in roots]
         lines += [f"polar_inertia = {self.density * self.polar!r}", ""]
         return "\n".join(lines)
 
@@ -49,26 +71,38 @@ def warping(c, t, panels=60):
         for index, n in enumerate(odd_terms(12)):
             k = n * math.pi / t
             # sinh / cosh, as a difference of powers that cannot overflow
-            ratio = math.exp(k * (y - c / 2)) * (1 - math.exp(-2 * k * y)) / (1 + math.exp(-k * c))
+            ratio = (
+                math.exp(k * (y - c / 2))
+                * (1 - math.exp(-2 * k * y))
+                / (1 + math.exp(-k * c))
+            )
             total += 8 * (-1) ** index / (t * k**3) * math.sin(k * z) * ratio
         return total
 
     # Odd in both directions: a quarter by midpoints holds all of it.
     dy, dz = c / 2 / panels, t / 2 / panels
-    points = [(dy * (i + 0.5), dz * (j + 0.5)) for i in range(panels) for j in range(panels)]
+    points = [
+        (dy * (i + 0.5), dz * (j + 0.5)) for i in range(panels) for j in range(panels)
+    ]
     return 4 * dy * dz * sum(function(y, z) ** 2 for y, z in points)
 
 
 def integral(r, values):
     """Simpson's rule on evenly spaced radii."""
     step = (r[-1] - r[0]) / (len(r) - 1)
-    return step / 3 * (values[0] + values[-1] + 4 * sum(values[1:-1:2]) + 2 * sum(values[2:-1:2]))
+    return (
+        step
+        / 3
+        * (values[0] + values[-1] + 4 * sum(values[1:-1:2]) + 2 * sum(values[2:-1:2]))
+    )
 
 
 def derivative(r, values):
     """Differences of second order, one-sided at the ends."""
     step = r[1] - r[0]
-    inside = [(after - before) / (2 * step) for before, after in zip(values, values[2:])]
+    inside = [
+        (after - before) / (2 * step) for before, after in zip(values, values[2:])
+    ]
     first = (-3 * values[0] + 4 * values[1] - values[2]) / (2 * step)
     last = (3 * values[-1] - 4 * values[-2] + values[-3]) / (2 * step)
     return [first, *inside, last]
@@ -78,33 +112,49 @@ def effects(strip, section, shape, r, speed):
     """{effect: change of frequency relative to the beam's} for one mode shape of bladefan."""
     omega2, dof = shape["frequency_rad_s"] ** 2, shape["dof"]
     x, slope, moment = shape["displacement"], shape["slope"], shape["moment"]
-    stress = [section.density * speed**2 * (strip["radius"] ** 2 - at**2) / 2 for at in r]
+    stress = [
+        section.density * speed**2 * (strip["radius"] ** 2 - at**2) / 2 for at in r
+    ]
 
     def over(inertia, **energies):
         """From twice the energies, relative to omega squared of the beam; half of it to omega."""
         kinetic = inertia * integral(r, [u * u for u in x])
         return {name: value / kinetic / omega2 / 2 for name, value in energies.items()}
 
+    # Strain energy by the strain of the pull, twice its mean in the mode.
+    stiffness = section.stiffness(dof)
+    strained = [s / section.youngs * m * m / stiffness for s, m in zip(stress, moment)]
+    thinner = -2 * section.poisson * integral(r, strained)
     if dof == "torsion":
-        polar = section.density * section.polar
-        difference = section.density * (section.second_moment["lag"] - section.second_moment["flap"])
+        moments = section.second_moment
+        difference = section.density * (moments["lag"] - moments["flap"])
+        straightened = [s * d * d for s, d in zip(stress, slope)]
         rotating = over(
-            polar,
+            section.density * section.polar,
             propeller=speed**2 * difference * integral(r, [u * u for u in x]),
-            tension=section.polar * integral(r, [s * d * d for s, d in zip(stress, slope)]),
+            tension=section.polar * integral(r, straightened),
+            contraction=thinner,
         )
-        # The clamp holds the warping: the blade twists as if it were shorter by this length.
+        # The blade twists as if it were shorter by this length: the decay of what holds the warping.
         ratio = section.torsion / section.polar
-        stiffness = section.youngs * section.warping / (section.shear * section.torsion)
-        shorter = math.sqrt(stiffness * (1 - ratio))
-        return {"clamp": shorter / (strip["radius"] - strip["root"] - shorter), **rotating}
+        warping_length2 = section.youngs * section.warping / stiffness
+        shorter = math.sqrt(warping_length2 * (1 - ratio))
+        length = strip["radius"] - strip["root"]
+        return {"clamp": shorter / (length - shorter), **rotating}
+    # A fibre off the axis tilts by the slope over its stretch, and the stretch falls toward the tip.
+    falling = [
+        2 * speed**2 * section.density / section.youngs * at * d * m
+        for at, d, m in zip(r, slope, moment)
+    ]
     second = section.second_moment[dof]
     # A section that tilts out of the disc plane is thrown outward; one that turns in it is not.
     thrown = omega2 + (speed**2 if dof == "flap" else 0)
-    force = derivative(r, moment)
+    force2 = integral(r, [v * v for v in derivative(r, moment)])
+    tilted = integral(r, [s * s for s in slope])
     return over(
         section.mass,
-        shear=-integral(r, [v * v for v in force]) / (SHEAR_COEFFICIENT * section.shear * section.area),
-        rotary=-section.density * second * thrown * integral(r, [s * s for s in slope]),
-        tension=integral(r, [s * m * m for s, m in zip(stress, moment)]) / (section.youngs**2 * second),
+        shear=-force2 / (section.shear_coefficient * section.shear * section.area),
+        rotary=-section.density * second * thrown * tilted,
+        tension=integral(r, strained) + integral(r, falling),
+        contraction=thinner,
     )
