@@ -100,12 +100,11 @@ def measured(case):
             "mode": mode,
             "speed_rad_s": speed,
             "bladefan_rad_s": omega,
-            "bladefan_half_interval": half,
             "coarse_rad_s": coarse[mode, speed],
             "fine_rad_s": fine[mode, speed],
             "effects": named,
         }
-        for (mode, speed), (omega, half, named) in sorted(
+        for (mode, speed), (omega, _, named) in sorted(
             own.items(), key=lambda item: item[0][1]
         )
     ]

@@ -30,6 +30,7 @@ REQUIREMENTS = HERE / "requirements.txt"
 VENV = measure.WORK / "venv"
 # Written after an installation that went well; says what was installed.
 STAMP = VENV / "requirements.txt"
+SCHEMA = "bladefan-peers/1"
 # bladefan's values are converged to 1e-10 and better; a better solver may differ by that.
 OURS_AGAIN = 1e-9
 # The same program on the same input: pyBmodes' dense eigensolver rounds low modes to some 1e-7, and
@@ -146,7 +147,7 @@ def record(results, runs):
         measure.PYBMODES_MODES,
     )
     value = {
-        "schema": "bladefan-peers/1",
+        "schema": SCHEMA,
         "date": datetime.date.today().isoformat(),
         "versions": {
             "bladefan": ours.version(),
@@ -166,7 +167,12 @@ def recorded():
         raise SystemExit(
             "peers: there is no record yet; `tests/peers/run --record` makes one"
         )
-    return json.loads(RECORD.read_text())
+    value = json.loads(RECORD.read_text())
+    if value.get("schema") != SCHEMA:
+        raise SystemExit(
+            f"peers: {RECORD.name} is not a record of this version ({SCHEMA})"
+        )
+    return value
 
 
 def again(tally, case, program, change, most):
@@ -174,9 +180,19 @@ def again(tally, case, program, change, most):
     tally.check(change <= most, f"{text}; largest change {change:.1e}")
 
 
+def unrepeatable(program, versions):
+    """Why a recorded result cannot be had again; pyBmodes is pinned, a Debian has its CalculiX."""
+    if not present(program):
+        return MISSING[program]
+    if program == "calculix" and calculix.version() != versions["calculix"]:
+        return f"recorded with CalculiX {versions['calculix']}, here is {calculix.version()}"
+    return None
+
+
 def check(tally):
     """The record against a new calculation of ours, and of theirs where they are."""
-    cases = recorded()["cases"]
+    record = recorded()
+    cases = record["cases"]
     for case in CASES:
         own = measure.our_rows(case)
         rows = {
@@ -197,8 +213,8 @@ def check(tally):
             for key, row in rows.items()
         ]
         judge(tally, case, fresh)
-        if not present(case.program):
-            tally.skip(f"{case.title}: {MISSING[case.program]}")
+        if reason := unrepeatable(case.program, record["versions"]):
+            tally.skip(f"{case.title}: {reason}")
             continue
         theirs = (
             (name, measure.their_rows(case, getattr(case, name)))

@@ -10,7 +10,7 @@ EFFECTS = {
     "propeller": "the propeller moment, which bladefan's torsion term leaves out: to frequency^2 it adds speed^2 "
     "times the difference of the section's two moments of inertia, by their sum",
     "tension": "the pull on fibres off the axis: in torsion it straightens the twisted ones, which bladefan "
-    "leaves out too; in bending it adds stress / E to EI",
+    "leaves out too; in bending it adds stress / E to EI, and bends by its fall along the blade",
     "contraction": "the stretched blade is thinner by Poisson's ratio",
 }
 
@@ -30,7 +30,8 @@ class Section:
         self.area = c * t
         self.mass = strip["density"] * self.area
         self.density = strip["density"]
-        self.shear_coefficient = 10 * (1 + poisson) / (12 + 11 * poisson)  # Cowper's
+        # Timoshenko's, of a narrow rectangle
+        self.shear_coefficient = 5 * (1 + poisson) / (6 + 5 * poisson)
         self.second_moment = {"flap": c * t**3 / 12, "lag": t * c**3 / 12}
         self.polar = sum(self.second_moment.values())
         tail = sum(math.tanh(n * math.pi * c / (2 * t)) / n**5 for n in odd_terms())
