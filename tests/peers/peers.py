@@ -33,8 +33,8 @@ STAMP = VENV / "requirements.txt"
 SCHEMA = "bladefan-peers/1"
 # bladefan's values are converged to 1e-10 and better; a better solver may differ by that.
 OURS_AGAIN = 1e-9
-# The same program on the same input: pyBmodes' dense eigensolver rounds low modes to some 1e-7, and
-# otherwise with another processor's kernels; CalculiX prints seven digits.
+# The same program on the same input: pyBmodes iterates from a random start and rounds low modes to
+# some 1e-7, otherwise with another processor's kernels; CalculiX prints seven digits.
 THEIRS_AGAIN = 1e-6
 MISSING = {
     "pybmodes": "pyBmodes is not installed here; `tests/peers/run --install` gets it with pip",
@@ -167,7 +167,10 @@ def recorded():
         raise SystemExit(
             "peers: there is no record yet; `tests/peers/run --record` makes one"
         )
-    value = json.loads(RECORD.read_text())
+    try:
+        value = json.loads(RECORD.read_text())
+    except json.JSONDecodeError as fault:
+        raise SystemExit(f"peers: {RECORD.name} is not JSON: {fault}") from None
     if value.get("schema") != SCHEMA:
         raise SystemExit(
             f"peers: {RECORD.name} is not a record of this version ({SCHEMA})"
@@ -191,8 +194,8 @@ def unrepeatable(program, versions):
 
 def check(tally):
     """The record against a new calculation of ours, and of theirs where they are."""
-    record = recorded()
-    cases = record["cases"]
+    past = recorded()
+    cases = past["cases"]
     for case in CASES:
         own = measure.our_rows(case)
         rows = {
@@ -213,7 +216,7 @@ def check(tally):
             for key, row in rows.items()
         ]
         judge(tally, case, fresh)
-        if reason := unrepeatable(case.program, record["versions"]):
+        if reason := unrepeatable(case.program, past["versions"]):
             tally.skip(f"{case.title}: {reason}")
             continue
         theirs = (

@@ -122,7 +122,8 @@ def effects(strip, section, shape, r, speed):
         kinetic = inertia * integral(r, [u * u for u in x])
         return {name: value / kinetic / omega2 / 2 for name, value in energies.items()}
 
-    # Strain energy by the strain of the pull, twice its mean in the mode.
+    # Twice the energy that the pull's own strain adds; Poisson's ratio of it is the sections' contraction,
+    # squared in bending stiffness, and in torsion to the fourth over the square in inertia.
     stiffness = section.stiffness(dof)
     strained = [s / section.youngs * m * m / stiffness for s, m in zip(stress, moment)]
     thinner = -2 * section.poisson * integral(r, strained)
