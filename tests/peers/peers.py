@@ -1,10 +1,10 @@
 """bladefan beside independent programs: pyBmodes (beam elements) and CalculiX (solid elements).
 
-    tests/peers/run             compare with the programs that are here; records nothing
+    tests/peers/run             compare with the programs that are here, and with the record
     tests/peers/run --install   first get those that are not: pyBmodes from PyPI, CalculiX from Debian
-    tests/peers/run --record    compare, time, and write results.json
-    tests/peers/run --table     print the record as Markdown; runs nothing
-    tests/peers/run --check     our numbers again, against the record; the others too where they are
+    tests/peers/run --record    compare, time, and write results.json and results.md
+    tests/peers/run --table     write results.md from results.json; runs nothing
+    tests/peers/run --check     our numbers again, against the record; needs none of the others
 
 bladefan is the program that BLADEFAN names, else target/release/bladefan or target/debug/bladefan.
 What is made on the way lies in target/peers. Exit code 1: something is out of its tolerance.
@@ -26,6 +26,8 @@ from cases import CASES
 
 HERE = Path(__file__).parent
 RECORD = HERE / "results.json"
+# The record as docs/VALIDATION.md shows it.
+TABLE = HERE / "results.md"
 REQUIREMENTS = HERE / "requirements.txt"
 VENV = measure.WORK / "venv"
 # Written after an installation that went well; says what was installed.
@@ -58,7 +60,7 @@ class Tally:
         self.line("skip", text)
 
     def end(self):
-        print(f"\n{self.passed} passed, {self.failed} failed, {self.skipped} skipped")
+        print(f"\n  {self.passed} passed\n  {self.failed} failed\n  {self.skipped} skipped")
         return 1 if self.failed else 0
 
 
@@ -160,6 +162,12 @@ def record(results, runs):
     }
     RECORD.write_text(json.dumps(value, indent=1) + "\n")
     print(f"wrote {RECORD.relative_to(ours.ROOT)}")
+    write_table(value)
+
+
+def write_table(value):
+    TABLE.write_text(table.whole(value) + "\n")
+    print(f"wrote {TABLE.relative_to(ours.ROOT)}")
 
 
 def recorded():
@@ -192,10 +200,12 @@ def unrepeatable(program, versions):
     return None
 
 
-def check(tally):
-    """The record against a new calculation of ours, and of theirs where they are."""
+def check(tally, rerun):
+    """The record against a new calculation of ours, and of theirs where they are to be run."""
     past = recorded()
     cases = past["cases"]
+    stands = TABLE.is_file() and TABLE.read_text() == table.whole(past) + "\n"
+    tally.check(stands, f"{TABLE.name} is the record as a table")
     for case in CASES:
         own = measure.our_rows(case)
         rows = {
@@ -216,6 +226,8 @@ def check(tally):
             for key, row in rows.items()
         ]
         judge(tally, case, fresh)
+        if not rerun:
+            continue
         if reason := unrepeatable(case.program, past["versions"]):
             tally.skip(f"{case.title}: {reason}")
             continue
@@ -249,19 +261,18 @@ def main():
     if options.runs < 1:
         parser.error("--runs must be at least 1")
     if options.table:
-        print(table.whole(recorded()))
+        write_table(recorded())
         return 0
     tally = Tally()
     if options.install:
         install()
-    if options.check:
-        check(tally)
+    if not options.record:
+        check(tally, rerun=not options.check)
         return tally.end()
     results = compare(tally)
-    if options.record:
-        if tally.failed or len(results) < len(CASES):
-            raise SystemExit(
-                "peers: nothing recorded: a comparison failed, or a program is not here"
-            )
-        record(results, options.runs)
+    if tally.failed or len(results) < len(CASES):
+        raise SystemExit(
+            "peers: nothing recorded: a comparison failed, or a program is not here"
+        )
+    record(results, options.runs)
     return tally.end()

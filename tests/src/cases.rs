@@ -1,23 +1,31 @@
 //! Cases kept as data under `tests/cases`: source, values, tolerance and why.
 
-use crate::blades::built_in;
+use crate::blades::{Hold, TestBlade, built_in};
 use alloc::collections::BTreeMap;
 use bladefan_core::analysis::{BasisFamily, ModeReport, Settings, modes};
 use bladefan_core::blade::Blade;
+use bladefan_core::dof::Dof;
+use bladefan_core::file::{Format, read};
 use bladefan_core::units::{RAD_S_PER_RPM, hz};
 use core::fmt::Write as _;
 use serde::Deserialize;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 /// Frequencies of one blade from one source.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Case {
+    /// What blade it is.
+    pub title: String,
     /// Who found the values, and how.
     pub source: String,
-    /// Name of the built-in blade.
+    /// Name of a built-in blade, or of a file in `tests/cases/blades`.
     pub blade: String,
-    /// Number of classical functions to compare with.
-    pub functions: usize,
+    /// A lag spring in place of the blade's [N·m/rad].
+    pub lag_spring: Option<f64>,
+    /// Number of classical functions to compare with; the converged frequencies where it is left out.
+    pub functions: Option<usize>,
     /// Unit of the speeds: `rpm` or `rad/s`.
     pub speed_unit: String,
     /// Unit of the frequencies: `Hz` or `rad/s`.
@@ -61,16 +69,42 @@ impl Case {
         case
     }
 
-    /// Compares every value with the built-in blade.
-    pub fn compare(&self) -> Vec<Compared> {
-        self.compare_with(&built_in(&self.blade))
+    /// Every case of `tests/cases` with its name, in the order of the names.
+    ///
+    /// # Panics
+    /// Where the folder cannot be read, or a file in it.
+    pub fn all() -> Vec<(String, Self)> {
+        let toml = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "toml");
+        let entries = fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().path());
+        let mut paths: Vec<PathBuf> = entries.filter(toml).collect();
+        paths.sort();
+        let name = |path: &Path| path.file_stem().unwrap().to_str().unwrap().to_string();
+        paths.iter().map(|path| (name(path), Self::read(&fs::read_to_string(path).unwrap()))).collect()
     }
 
-    /// Compares every value with another blade.
+    /// The blade.
+    ///
+    /// # Panics
+    /// Where there is none, or it has faults.
+    pub fn blade(&self) -> Blade {
+        let blade = if Path::new(&self.blade).extension().is_some() {
+            let text = fs::read_to_string(folder().join("blades").join(&self.blade)).unwrap();
+            read(&text, Format::Toml).unwrap_or_else(|faults| panic!("{}: {faults:?}", self.blade)).blade
+        } else {
+            built_in(&self.blade)
+        };
+        let Some(spring) = self.lag_spring else { return blade };
+        let mut changed = TestBlade::from(&blade);
+        changed.roots[Dof::Lag.index()].hold = Hold::Spring(spring);
+        changed.blade()
+    }
+
+    /// Compares every value with the product's.
     ///
     /// # Panics
     /// Where a unit is not known or the product has no answer.
-    pub fn compare_with(&self, blade: &Blade) -> Vec<Compared> {
+    pub fn compare(&self) -> Vec<Compared> {
+        let blade = &self.blade();
         let mut compared = Vec::new();
         for row in &self.rows {
             let speed = match self.speed_unit.as_str() {
@@ -78,11 +112,10 @@ impl Case {
                 "rad/s" => row[0],
                 unit => panic!("unit {unit}"),
             };
-            let settings = Settings {
-                basis: BasisFamily::Classical,
-                speed: Some(speed),
-                functions: self.functions,
-                ..Settings::default()
+            let default = Settings { speed: Some(speed), ..Settings::default() };
+            let settings = match self.functions {
+                Some(functions) => Settings { basis: BasisFamily::Classical, functions, ..default },
+                None => default,
             };
             let report = modes(blade, &settings).unwrap_or_else(|faults| panic!("{faults:?}"));
             for (label, &expected) in self.labels.iter().zip(&row[1..]) {
@@ -97,6 +130,27 @@ impl Case {
             }
         }
         compared
+    }
+
+    /// The tolerance in words, like "1F to 3F 1 %, 1T 2 %, and 0.01 Hz".
+    pub fn tolerance_in_words(&self) -> String {
+        let mut parts: Vec<(&str, &str, f64)> = Vec::new();
+        for label in &self.labels {
+            let value = self.tolerance[label];
+            match parts.last_mut() {
+                Some((_, last, same)) if same.to_bits() == value.to_bits() => *last = label,
+                _ => parts.push((label, label, value)),
+            }
+        }
+        let words = |&(first, last, value): &(&str, &str, f64)| {
+            let modes = if first == last { first.to_string() } else { format!("{first} to {last}") };
+            if value > 0.0 { format!("{modes} {} %", 100.0 * value) } else { String::new() }
+        };
+        let mut all: Vec<String> = parts.iter().map(words).filter(|part| !part.is_empty()).collect();
+        if self.digits > 0.0 {
+            all.push(format!("{} {} for the digits printed", self.digits, self.frequency_unit));
+        }
+        all.join(", ")
     }
 
     /// The comparison as a table, one line per speed; printed by failing tests, and by
@@ -116,4 +170,8 @@ impl Case {
         }
         text
     }
+}
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("cases")
 }

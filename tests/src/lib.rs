@@ -14,6 +14,7 @@ pub mod bracket;
 pub mod cases;
 pub mod exact;
 pub mod faults;
+pub mod paper;
 pub mod random;
 pub mod solve;
 mod sturm;

@@ -5,60 +5,34 @@
 #![allow(clippy::print_stdout, reason = "the comparison is worth reading when it holds, too")]
 
 use bladefan_core::dof::Dof;
-use bladefan_tests::blades::{Hold, TestBlade};
-use bladefan_tests::cases::{Case, Compared};
+use bladefan_tests::blades::TestBlade;
+use bladefan_tests::cases::Case;
 use bladefan_tests::solve::frequencies;
 
-fn assert_holds(case: &Case, compared: &[Compared]) {
-    let table = case.table(compared);
-    println!("{table}\n");
-    assert!(compared.iter().all(|value| value.holds), "{table}");
-}
-
 #[test]
-fn tm_4760_against_finite_elements() {
-    let case = Case::read(include_str!("../cases/tm4760-finite-elements.toml"));
-    assert_eq!(case.rows.len(), 7);
-    assert_holds(&case, &case.compare());
-}
-
-/// Young's modulus of the MBDyn example is multiplied by this, its lag spring is not.
-const GRAVITY_IN_S2: f64 = 386.09;
-
-#[test]
-fn tm_4760_against_mbdyn() {
-    let case = Case::read(include_str!("../cases/tm4760-mbdyn.toml"));
-    let mut blade = TestBlade::built_in(&case.blade);
-    let Hold::Spring(spring) = &mut blade.roots[Dof::Lag.index()].hold else { panic!("no lag spring") };
-    // 464 in-lbf/rad.
-    assert!((*spring / 52.425 - 1.0).abs() < 1e-4, "{spring}");
-    *spring /= GRAVITY_IN_S2;
-    assert_holds(&case, &case.compare_with(&blade.blade()));
-}
-
-#[test]
-fn sa_330_against_finite_elements() {
-    let case = Case::read(include_str!("../cases/sa330-finite-elements.toml"));
-    assert_holds(&case, &case.compare());
-}
-
-/// Uniform cantilever, EI = m = R = 1, as widely quoted from Wright, Smith, Thresher & Wang,
-/// J. Appl. Mech. 49, 1982: four decimals.
-#[test]
-fn uniform_cantilever_of_wright_and_others() {
-    let quoted = [
-        (0.0, [3.5160, 22.0345, 61.6972]),
-        (2.0, [4.1373, 22.6149, 62.2732]),
-        (6.0, [7.3604, 26.8091, 66.6839]),
-        (12.0, [13.1702, 37.6031, 79.6145]),
-    ];
-    for (speed, expected) in quoted {
-        let found = frequencies(&TestBlade::uniform(1.0), Dof::Flap, speed, 60, 3);
-        for (f, e) in found.iter().zip(expected) {
-            // Half of the last decimal, and the last bits.
-            assert!((f - e).abs() < 0.5001e-4, "{f} against {e} at {speed}");
+fn every_case_holds() {
+    let cases = Case::all();
+    assert!(cases.len() >= 9, "cases are missing");
+    let mut broken = Vec::new();
+    for (name, case) in cases {
+        let compared = case.compare();
+        println!("{name}: {}\n", case.table(&compared));
+        if !compared.iter().all(|value| value.holds) {
+            broken.push(format!("{name}: {}", case.table(&compared)));
         }
     }
+    assert!(broken.is_empty(), "{}", broken.join("\n\n"));
+}
+
+/// The driver notices a value that is off by more than its tolerance, and no smaller one.
+#[test]
+fn a_wrong_value_is_found() {
+    let mut case = Case::all().into_iter().find(|(name, _)| name == "wright-1982").unwrap().1;
+    let broken = |case: &Case| case.compare().iter().filter(|value| !value.holds).count();
+    case.rows[12][2] += 0.5 * case.digits;
+    assert_eq!(broken(&case), 0);
+    case.rows[12][2] += 2.0 * case.digits;
+    assert_eq!(broken(&case), 1);
 }
 
 /// The paper's Fig. 6–7 call 15 functions converged. On the stepped hingeless blade they are not.

@@ -2,10 +2,12 @@
 //!
 //! `cargo bench -p bladefan-core` measures everything and ends with the ratios. With
 //! `-- --chart-time` only three times are printed, in milliseconds: of one converged fan chart, of
-//! one with the paper's functions, and of one speed with bounds.
+//! one with the paper's functions, and of one speed with bounds; with `-- --figure-8` the times of
+//! the paper's Fig. 8 as CSV.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints, and stops on a fault")]
 
 mod converged;
+mod figure_8;
 mod march;
 
 use bladefan_core::analysis::{BasisFamily, Settings, fan, modes};
@@ -29,19 +31,20 @@ const MODES: usize = 5;
 /// Assumed functions, as many as the paper calls converged.
 const FUNCTIONS: usize = 15;
 
-fn tm4760() -> Blade {
-    read(library::find("tm4760").unwrap().toml, Format::Toml).unwrap().blade
+fn built_in(name: &str) -> Blade {
+    read(library::find(name).unwrap().toml, Format::Toml).unwrap().blade
+}
+
+fn matrices_of(blade: &Blade, dof: Dof, functions: usize) -> SystemMatrices {
+    let rules = GaussRules::new();
+    let functions = classical_functions(blade, dof, functions);
+    let grid = Grid::for_functions(blade, dof, functions.as_ref(), &rules, 0);
+    let fields = Fields::sample(&grid, functions.as_ref());
+    assemble(&grid, Energies::new(&grid, &fields), functions.has_rigid_motion())
 }
 
 fn matrices(blade: &Blade, functions: usize) -> Vec<SystemMatrices> {
-    let rules = GaussRules::new();
-    let of_dof = |&dof: &Dof| {
-        let functions = classical_functions(blade, dof, functions);
-        let grid = Grid::for_functions(blade, dof, functions.as_ref(), &rules, 0);
-        let fields = Fields::sample(&grid, functions.as_ref());
-        assemble(&grid, Energies::new(&grid, &fields), functions.has_rigid_motion())
-    };
-    Dof::ALL.iter().map(of_dof).collect()
+    Dof::ALL.iter().map(|&dof| matrices_of(blade, dof, functions)).collect()
 }
 
 /// Frequencies of all degrees of freedom at one speed by this solver.
@@ -192,7 +195,11 @@ fn ratios(blade: &Blade) {
 }
 
 fn main() {
-    let blade = tm4760();
+    if std::env::args().any(|argument| argument == "--figure-8") {
+        figure_8::print();
+        return;
+    }
+    let blade = built_in("tm4760");
     if std::env::args().any(|argument| argument == "--chart-time") {
         for basis in [BasisFamily::Piecewise, BasisFamily::Classical] {
             println!("{:.4}", 1e3 * chart_time(&blade, basis));

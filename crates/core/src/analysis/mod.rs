@@ -197,6 +197,7 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Vec<Fa
         note(&mut report.warnings, dof, basis.error());
         let solved = solve(basis.matrices(), speed, settings.modes)?;
         let mass = basis.matrices().mass().clone();
+        let orthogonality = modes::orthogonality(&mass, &solved);
         let functions = basis.into_functions();
         let tables = tabulate(blade, dof, functions.as_ref(), &radii, &rules);
         let norm = match (settings.normalise, dof) {
@@ -210,6 +211,7 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Vec<Fa
             dof,
             number: index + 1,
             frequency_rad_s: mode.frequency,
+            orthogonality: orthogonality[index],
             displacement: shape.displacement,
             slope: shape.slope,
             moment: shape.moment,

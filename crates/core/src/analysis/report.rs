@@ -241,6 +241,9 @@ report! {
         number: usize,
         /// Natural frequency.
         frequency_rad_s: f64,
+        /// How far from orthogonal to the other shapes listed of its degree of freedom: the largest
+        /// |∫ m X_i X_j dr| / √(∫ m X_i² dr ∫ m X_j² dr), in torsion with ρI_p for m (Eq. 84–85); 0 for one shape.
+        orthogonality: f64,
         /// Displacement (bending) or twist (torsion) at each radius, tip positive; 0 inboard of the root.
         displacement: Vec<f64>,
         /// Slope [1/m] per metre or radian of displacement.

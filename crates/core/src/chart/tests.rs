@@ -96,7 +96,16 @@ fn shape_report(modes: usize) -> ShapesReport {
         let sign = if number % 2 == 1 { 1.0 } else { -1.0 };
         let displacement = (0..=100).map(|at| sign * wave(at)).collect();
         let (slope, moment) = (Vec::new(), Vec::new());
-        ShapeReport { label: label(dof, number), dof, number, frequency_rad_s: 1.0, displacement, slope, moment }
+        ShapeReport {
+            label: label(dof, number),
+            dof,
+            number,
+            frequency_rad_s: 1.0,
+            orthogonality: 0.0,
+            displacement,
+            slope,
+            moment,
+        }
     };
     let shapes = Dof::ALL.into_iter().flat_map(|dof| (1..=modes).map(move |number| shape(dof, number))).collect();
     ShapesReport {

@@ -23,6 +23,16 @@ pub fn shapes(tables: &ShapeTables, modes: &[Mode], speed_squared: f64, norm: Op
     modes.iter().map(|mode| shape(tables, mode, speed_squared, norm)).collect()
 }
 
+/// For each mode the largest |q_iᵀ M q_j| with another one (Eq. 84–85): 0 but for rounding.
+pub fn orthogonality(mass: &DMatrix<f64>, modes: &[Mode]) -> Vec<f64> {
+    let of_mode = |(i, mode): (usize, &Mode)| {
+        let loaded = mass * &mode.coordinates;
+        let others = modes.iter().enumerate().filter(|&(j, _)| j != i);
+        others.map(|(_, other)| other.coordinates.dot(&loaded).abs()).fold(0.0, f64::max)
+    };
+    modes.iter().enumerate().map(of_mode).collect()
+}
+
 fn shape(tables: &ShapeTables, mode: &Mode, speed_squared: f64, norm: Option<&DMatrix<f64>>) -> Shape {
     let q = &mode.coordinates;
     let displacement = &tables.value * q;

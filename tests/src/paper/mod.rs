@@ -1,0 +1,107 @@
+//! The figures and tables of the paper's section 4, made anew through the command line: drawings
+//! and CSV files of `docs/paper`, and the generated parts of `docs/VALIDATION.md`.
+//! `scripts/reproduce-paper` writes them; `tests/tests/paper.rs` compares.
+#![allow(clippy::format_push_string, reason = "text is put together once, and reads better so")]
+
+mod accuracy;
+mod charts;
+mod cli;
+mod convergence;
+mod document;
+mod literature;
+mod plot;
+mod shapes;
+mod table;
+mod times;
+mod uniform;
+
+pub use cli::Cli;
+pub use document::replace;
+
+use alloc::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+/// The document with the generated parts.
+pub const DOCUMENT: &str = "docs/VALIDATION.md";
+
+/// What the command line makes of the paper: whole files, and parts of the document by their names.
+#[derive(Debug, Default)]
+pub struct Output {
+    /// Text by path from the root of the repository.
+    pub files: BTreeMap<String, String>,
+    /// Markdown by name.
+    pub parts: BTreeMap<String, String>,
+}
+
+impl Output {
+    /// Everything but measured times, which are read from their record under `root`.
+    ///
+    /// # Panics
+    /// Where the command line has no answer.
+    pub fn of(cli: &Cli, root: &Path) -> Self {
+        let mut output = Self::default();
+        uniform::figures_4_and_5(cli, &mut output);
+        convergence::figures_6_and_7(cli, &mut output);
+        times::figure_8(root, &mut output);
+        charts::figure_9(cli, &mut output);
+        charts::figure_11(cli, &mut output);
+        charts::figure_16(cli, &mut output);
+        shapes::figures(cli, &mut output);
+        accuracy::tables(cli, &mut output);
+        literature::tables(&mut output);
+        literature::peers(root, &mut output);
+        output
+    }
+
+    /// The paths of files that are not what they should be, or not there.
+    ///
+    /// # Panics
+    /// Where the document has not the parts.
+    pub fn stale(&self, root: &Path) -> Vec<String> {
+        let is = |path: &str, text: &str| fs::read_to_string(root.join(path)).is_ok_and(|found| found == text);
+        let files = self.all(root).into_iter();
+        files.filter(|(path, text)| !is(path, text)).map(|(path, _)| path).collect()
+    }
+
+    /// Writes what is not what it should be; returns the paths.
+    ///
+    /// # Panics
+    /// Where a file cannot be written.
+    pub fn write(&self, root: &Path) -> Vec<String> {
+        let stale = self.stale(root);
+        for (path, text) in self.all(root).iter().filter(|(path, _)| stale.contains(path)) {
+            fs::write(root.join(path), text).unwrap_or_else(|error| panic!("{path}: {error}"));
+        }
+        stale
+    }
+
+    fn all(&self, root: &Path) -> BTreeMap<String, String> {
+        let text = fs::read_to_string(root.join(DOCUMENT)).unwrap_or_else(|error| panic!("{DOCUMENT}: {error}"));
+        let document = replace(&text, &self.parts).unwrap_or_else(|fault| panic!("{DOCUMENT}: {fault}"));
+        let mut all = self.files.clone();
+        all.insert(DOCUMENT.into(), document);
+        all
+    }
+
+    /// Keeps the drawing of a command; returns the image for the document.
+    fn draw(&mut self, cli: &Cli, name: &str, alternative: &str, command: &str) -> String {
+        self.image(name, alternative, cli.draw(command))
+    }
+
+    /// Keeps a drawing; returns the image for the document.
+    fn image(&mut self, name: &str, alternative: &str, svg: String) -> String {
+        self.files.insert(format!("docs/paper/{name}.svg"), svg);
+        format!("![{alternative}](paper/{name}.svg)\n")
+    }
+
+    /// Keeps a table of numbers; returns the link for the document.
+    fn csv(&mut self, name: &str, text: String) -> String {
+        self.files.insert(format!("docs/paper/{name}.csv"), text);
+        format!("[{name}.csv](paper/{name}.csv)")
+    }
+
+    fn part(&mut self, name: &str, text: String) {
+        self.parts.insert(name.into(), text);
+    }
+}

@@ -1,0 +1,13 @@
+//! `docs/paper` and the generated parts of `docs/VALIDATION.md` are what the command line prints now.
+
+use bladefan_tests::paper::{Cli, Output};
+use std::path::Path;
+
+/// After a change that moves numbers on purpose: `scripts/reproduce-paper`.
+#[test]
+fn figures_and_tables_are_what_the_command_line_prints() -> Result<(), String> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("no root")?;
+    let stale = Output::of(&Cli::find(root)?, root).stale(root);
+    assert!(stale.is_empty(), "not what the command line prints now; scripts/reproduce-paper would change {stale:?}");
+    Ok(())
+}
