@@ -51,6 +51,7 @@ pub(super) fn figure_9(cli: &Cli, output: &mut Output) {
         let (computed, reference) = found(report, label, rpm * core::f64::consts::PI / 30.0);
         (reference > 0.0).then(|| computed / reference - 1.0)
     };
+    part = part.replace(&file, POINTS);
     part +=
         "Finite elements in Hz; converged and, in brackets, with the paper's 15 functions, in per cent above them:\n\n";
     let mut head = cells(&["rpm"]);

@@ -48,7 +48,7 @@ fn finding(report: &Value) -> String {
         let error = |series: &Value| number(&series["classical_rad_s"][14]) / number(&series["converged_rad_s"]) - 1.0;
         let all: Vec<f64> = series.map(error).collect();
         let (least, most) = (all.iter().copied().fold(f64::MAX, f64::min), all.iter().copied().fold(0.0, f64::max));
-        format!("{} to {} %", percent(least), percent(most))
+        if most > 1e-9 { format!("{} to {} %", percent(least), percent(most)) } else { "0".into() }
     };
     format!("\nWith 15 functions: flap {}, lag {}, torsion {}.\n", errors('F'), errors('L'), errors('T'))
 }

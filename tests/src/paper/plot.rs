@@ -57,7 +57,8 @@ pub(super) fn chart(axes: &Axes, curves: &[Curve]) -> String {
             .x_desc(axes.x)
             .y_desc(axes.y)
             .label_style((FONT, 12))
-            .y_label_formatter(&|value| format!("{value:e}"))
+            .x_label_formatter(&|value| format!("{value:.0}"))
+            .y_label_formatter(&|value| format!("{value:.0e}"))
             .draw()
             .unwrap();
         let mut taken: Vec<i32> = Vec::new();

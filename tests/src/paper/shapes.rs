@@ -39,17 +39,28 @@ pub(super) fn figures(cli: &Cli, output: &mut Output) {
 
 /// How much the hingeless blade's flap shapes change from rest to 105 rad/s.
 fn change(cli: &Cli) -> String {
-    let [rest, turning] = ["0", "105"]
-        .map(|speed| cli.json(&format!("shapes hingeless-1000 --speed {speed} --dof flap --modes 3 --points 201")));
-    let displacement = |shape: &Value| list(&shape["displacement"]).iter().map(number).collect::<Vec<f64>>();
-    let rows: Vec<Vec<String>> = list(&rest["shapes"])
-        .iter()
-        .zip(list(&turning["shapes"]))
-        .map(|(a, b)| {
-            let differences = displacement(a).into_iter().zip(displacement(b)).map(|(a, b)| (a - b).abs());
-            let largest = differences.fold(0.0, f64::max);
-            vec![text(&a["label"]).into(), percent(largest).replace('+', "")]
-        })
-        .collect();
-    table(&cells(&["mode", "largest change of the shape, rest to 105 rad/s [% of the largest displacement]"]), &rows)
+    let changes = |basis: &str| -> Vec<(String, f64)> {
+        let [rest, turning] = ["0", "105"].map(|speed| {
+            cli.json(&format!(
+                "shapes hingeless-1000 --speed {speed} --dof flap --modes 3 --points 201 --basis {basis}"
+            ))
+        });
+        let displacement = |shape: &Value| list(&shape["displacement"]).iter().map(number).collect::<Vec<f64>>();
+        let pairs = list(&rest["shapes"]).iter().zip(list(&turning["shapes"]));
+        pairs
+            .map(|(a, b)| {
+                let differences = displacement(a).into_iter().zip(displacement(b)).map(|(a, b)| (a - b).abs());
+                (text(&a["label"]).into(), differences.fold(0.0, f64::max))
+            })
+            .collect()
+    };
+    let row = |(converged, fifteen): (&(String, f64), &(String, f64))| {
+        let words = |part: f64| percent(part).replace('+', "");
+        vec![converged.0.clone(), words(converged.1), words(fifteen.1)]
+    };
+    let rows: Vec<Vec<String>> = changes("piecewise").iter().zip(&changes("classical")).map(row).collect();
+    table(
+        &cells(&["mode", "largest change of the shape, in per cent of the tip's displacement", "with 15 functions"]),
+        &rows,
+    )
 }
