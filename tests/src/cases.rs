@@ -144,7 +144,7 @@ impl Case {
         }
         let words = |&(first, last, value): &(&str, &str, f64)| {
             let modes = if first == last { first.to_string() } else { format!("{first} to {last}") };
-            if value > 0.0 { format!("{modes} {} %", 100.0 * value) } else { String::new() }
+            if value > 0.0 { format!("{modes} {} %", per_cent(value)) } else { String::new() }
         };
         let mut all: Vec<String> = parts.iter().map(words).filter(|part| !part.is_empty()).collect();
         if self.digits > 0.0 {
@@ -170,6 +170,13 @@ impl Case {
         }
         text
     }
+}
+
+/// A part in per cent, without the last digits that a conversion leaves.
+fn per_cent(part: f64) -> String {
+    let text = format!("{:.3e}", 100.0 * part);
+    let value: f64 = text.parse().unwrap();
+    if value < 1e-3 { format!("{value:e}") } else { value.to_string() }
 }
 
 fn folder() -> PathBuf {
