@@ -7,7 +7,6 @@ use alloc::collections::BTreeSet;
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
-use core::iter;
 
 /// A fault and the byte of the text it stands at.
 #[derive(Clone)]
@@ -89,12 +88,10 @@ pub(super) fn drop_consequences(found: Vec<Fault>, refused: &[Placed]) -> Vec<Fa
 
 /// A library's message in our style: no capital at its start.
 pub(super) fn decapitalised(message: &str) -> String {
-    let mut chars = message.chars();
-    match chars.next() {
-        // A word in capitals (TOML, NaN) stays.
-        Some(first) if !chars.clone().next().is_some_and(char::is_uppercase) => {
-            iter::once(first.to_ascii_lowercase()).chain(chars).collect()
-        }
-        _ => message.into(),
+    let mut message = String::from(message);
+    // A word in capitals (TOML, NaN) stays.
+    if !message.as_bytes().get(1).is_some_and(u8::is_ascii_uppercase) {
+        message.get_mut(..1).map(str::make_ascii_lowercase);
     }
+    message
 }

@@ -39,7 +39,7 @@ impl<'t> Table<'t> {
     /// The value of a key; `null` counts as absent.
     fn get(&self, key: &str) -> Option<&'t Tree> {
         let entry = self.entries.iter().find(|entry| entry.key == key)?;
-        (entry.value.node != Node::Null).then_some(&entry.value)
+        Some(&entry.value).filter(|value| !matches!(value.node, Node::Null))
     }
 
     fn path(&self, key: &str) -> String {

@@ -153,19 +153,16 @@ type Written = core::fmt::Result;
 
 fn write_file(text: &mut String, entries: &[Entry]) -> Written {
     // Every key without a table stands before the first table.
-    for Entry { key, value, .. } in entries {
-        if let Node::Table(entries) = &value.node {
+    for entry in entries {
+        if let Node::Table(entries) = &entry.value.node {
             text.newline()?;
             text.open_table_header()?;
-            text.key(key.as_str())?;
+            text.key(entry.key.as_str())?;
             text.close_table_header()?;
             text.newline()?;
             write_lines(text, entries)?;
         } else {
-            write_lines(
-                text,
-                core::slice::from_ref(&Entry { key: key.clone(), key_span: None, value: value.clone() }),
-            )?;
+            write_lines(text, core::slice::from_ref(entry))?;
         }
     }
     Ok(())
