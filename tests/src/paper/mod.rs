@@ -44,6 +44,7 @@ impl Output {
         uniform::figures_4_and_5(cli, &mut output);
         convergence::figures_6_and_7(cli, &mut output);
         times::figure_8(root, &mut output);
+        times::speed(root, &mut output);
         charts::figure_9(cli, &mut output);
         charts::figure_11(cli, &mut output);
         charts::figure_16(cli, &mut output);

@@ -122,3 +122,10 @@ pub(super) fn figure_8(root: &Path, output: &mut Output) {
         ),
     );
 }
+
+/// What else `scripts/reproduce-paper --times` recorded.
+pub(super) fn speed(root: &Path, output: &mut Output) {
+    let record = "docs/paper/speed.txt";
+    let text = fs::read_to_string(root.join(record)).unwrap_or_else(|error| panic!("{record}: {error}"));
+    output.part("speed", format!("```\n{}\n```\n", text.trim_end()));
+}

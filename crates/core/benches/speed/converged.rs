@@ -38,7 +38,7 @@ fn many_stations(stations: usize) -> Blade {
 
 /// Prints the times and ratios of the converged answer.
 pub(crate) fn ratios(blade: &Blade) {
-    println!("\nConverged answer, TM 4760, 3 x {MODES} modes (best of several runs):");
+    println!("Converged, 3 x {MODES} modes:");
     let chart = chart_time(blade, BasisFamily::Piecewise);
     let speeds = chart_settings(BasisFamily::Piecewise).speeds_or(blade.nominal_speed()).speeds();
     let rules = GaussRules::new();

@@ -3,7 +3,7 @@
 //! `cargo bench -p bladefan-core` measures everything and ends with the ratios. With
 //! `-- --chart-time` only three times are printed, in milliseconds: of one converged fan chart, of
 //! one with the paper's functions, and of one speed with bounds; with `-- --figure-8` the times of
-//! the paper's Fig. 8 as CSV.
+//! the paper's Fig. 8 as CSV, with `-- --ratios` only the ratios.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints, and stops on a fault")]
 
 mod converged;
@@ -128,39 +128,16 @@ fn functions(criterion: &mut Criterion, blade: &Blade) {
 
 fn ratios(blade: &Blade) {
     let speed = blade.nominal_speed();
-    println!("\nRatios, all measured in this run on this machine (best of several runs), TM 4760 at 660 rpm:");
-    println!(
-        "{:>10} {:>14} {:>11} {:>14} {:>7} {:>15}",
-        "functions", "assembly [ms]", "solve [ms]", "marching [ms]", "ratio", "together [ms]"
-    );
-    for count in (5..=40).step_by(5) {
-        let assembly = best(41, || drop(black_box(matrices(black_box(blade), count))));
-        let assembled = matrices(blade, count);
-        let ours = best(41, || drop(black_box(one_speed(black_box(&assembled), speed))));
-        let theirs = best(5, || drop(black_box(one_speed_marched(black_box(&assembled), speed))));
-        println!(
-            "{count:10} {:14.3} {:11.3} {:14.2} {:6.0}x {:15.3}",
-            1e3 * assembly,
-            1e3 * ours,
-            1e3 * theirs,
-            theirs / ours,
-            1e3 * (assembly + ours)
-        );
-    }
-    println!(
-        "One speed, all degrees of freedom, five modes each. Marching: the paper's det(G - w2 M) in steps of 2.5 rad/s and"
-    );
-    println!(
-        "bisection to 1e-15, on the same assembled matrices. Together: assembly and solve, what the paper's Fig. 8 measures."
-    );
-
+    println!("TM 4760 at 660 rpm, one core, best of several runs; ratios are within this run.");
     let assembled = matrices(blade, FUNCTIONS);
     let worst = one_speed(&assembled, speed)
         .iter()
         .zip(one_speed_marched(&assembled, speed))
         .map(|(ours, theirs)| (ours / theirs - 1.0).abs())
         .fold(0.0, f64::max);
-    println!("Both find the same 15 frequencies; largest relative difference {worst:.1e}.");
+    println!(
+        "This solver and the paper's march find the same 15 frequencies; largest relative difference {worst:.1e}."
+    );
 
     let chart = chart_time(blade, BasisFamily::Classical);
     let settings = chart_settings(BasisFamily::Classical);
@@ -200,6 +177,11 @@ fn main() {
         return;
     }
     let blade = built_in("tm4760");
+    if std::env::args().any(|argument| argument == "--ratios") {
+        ratios(&blade);
+        converged::ratios(&blade);
+        return;
+    }
     if std::env::args().any(|argument| argument == "--chart-time") {
         for basis in [BasisFamily::Piecewise, BasisFamily::Classical] {
             println!("{:.4}", 1e3 * chart_time(&blade, basis));
@@ -218,6 +200,7 @@ fn main() {
     criterion.final_summary();
     // `cargo test` runs each measurement once, as a test, and has no use for ratios.
     if std::env::args().any(|argument| argument == "--bench") {
+        figure_8::print();
         ratios(&blade);
         converged::ratios(&blade);
     }
