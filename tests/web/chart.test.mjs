@@ -439,10 +439,10 @@ pageTest("frame time: a what-if step redraws the converged chart", { reducedMoti
       slider.dispatchEvent(new Event("input", { bubbles: true }));
       const handled = now();
       const end = await arrived;
-      while (window.timings.length === 0) await new Promise((resolve) => setTimeout(resolve)); // told after the answer, which may be here before
+      while (window.timings.length === 0) await new Promise((resolve) => setTimeout(resolve)); // told after the answer
       const { began, ended } = window.timings.pop();
       window.timings.length = 0;
-      steps.push({ total: end.laidOut - begin, input: handled - begin, solve: ended - began, messages: window.received - handled - (ended - began), draw: end.drawn - window.received, layout: end.laidOut - end.drawn });
+      steps.push({ total: end.laidOut - begin, input: handled - begin, solve: ended - began, draw: end.drawn - window.received, layout: end.laidOut - end.drawn });
     }
     // Faster than anything is solved: what nobody waits for any more is not even asked.
     window.asked = 0;

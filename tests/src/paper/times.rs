@@ -1,9 +1,8 @@
 //! Fig. 8: computational time, from the record that `scripts/reproduce-paper --times` writes.
 
 use super::Output;
-use super::plot::{Axes, COLOURS, Curve, Stroke, chart};
+use super::plot::{Axes, COLOURS, Curve, GREY, Stroke, chart};
 use super::table::{cells, digits, table};
-use plotters::style::RGBColor;
 use std::fs;
 use std::path::Path;
 
@@ -46,27 +45,37 @@ pub(super) fn figure_8(root: &Path, output: &mut Output) {
     for (panel, blade) in [("a", "tm4760"), ("b", "hingeless-1000")] {
         let of = |dof: &str| lines.iter().filter(|line| line.blade == blade && line.dof == dof).collect::<Vec<_>>();
         let mut curves = vec![Curve {
-            label: "the paper, 15 functions".into(),
-            colour: RGBColor(0x68, 0x6E, 0x76),
-            stroke: Stroke::Dashed,
-            points: vec![(5.0, PAPER), (40.0, PAPER)],
+            label: "the paper, all three, N = 15".into(),
+            colour: GREY,
+            stroke: Stroke::Dots,
+            points: vec![(15.0, PAPER)],
         }];
-        for (dof, colour) in DOFS.into_iter().zip(COLOURS) {
-            let march = of(dof).iter().map(|line| (line.functions, line.assembly + line.march)).collect();
-            curves.push(Curve {
-                label: format!("{dof}, the paper's march"),
-                colour,
-                stroke: Stroke::Dashed,
-                points: march,
-            });
-        }
-        for (dof, colour) in DOFS.into_iter().zip(COLOURS) {
-            let ours = of(dof).iter().map(|line| (line.functions, line.assembly + line.solve)).collect();
-            curves.push(Curve { label: format!("{dof}, bladefan"), colour, stroke: Stroke::Solid, points: ours });
+        for (who, stroke, time) in [
+            ("the paper's march", Stroke::Dashed, (|line| line.assembly + line.march) as fn(&Line) -> f64),
+            ("bladefan", Stroke::Solid, |line| line.assembly + line.solve),
+        ] {
+            let mut three: Vec<Curve> = DOFS
+                .into_iter()
+                .zip(COLOURS)
+                .map(|(dof, colour)| {
+                    let points = of(dof).iter().map(|line| (line.functions, time(line))).collect();
+                    Curve { label: format!("{dof}, {who}"), colour, stroke, points }
+                })
+                .collect();
+            // Labels are placed downwards.
+            three.sort_by(|a, b| b.points.last().unwrap().1.total_cmp(&a.points.last().unwrap().1));
+            curves.extend(three);
         }
         let title =
             if panel == "a" { "TM 4760 research blade, 660 rpm" } else { "Hingeless model (estimated), 105 rad/s" };
-        let axes = Axes { title, x: "assumed functions N", y: "time [ms]", across: 5.0..40.0, up: 0.01..2000.0 };
+        let axes = Axes {
+            title: title.into(),
+            x: "assumed functions N",
+            y: "time [ms]",
+            across: 5.0..40.0,
+            up: 0.01..2000.0,
+            powers: true,
+        };
         part += &output.image(
             &format!("fig-8{panel}"),
             &format!("Computational time against the number of functions, {blade}"),
@@ -95,7 +104,7 @@ pub(super) fn figure_8(root: &Path, output: &mut Output) {
             })
             .collect();
         let head = cells(&[
-            "N",
+            "N, all three",
             "assembly [ms]",
             "solve",
             "the paper's march",
