@@ -16,6 +16,7 @@ const LARGEST_FILE = 4_000_000;
 /** Makes list, file button, dropping and text work; returns what opens a blade's text. */
 export function startBlade(store, client, blade, say) {
   let typing;
+  let turn = 0; // of what is opened, the last counts
   let shown = null; // the text that stands in the editor and the blade it is of
   const editor = new Editor(at("editor"), (text) => {
     clearTimeout(typing);
@@ -24,8 +25,11 @@ export function startBlade(store, client, blade, say) {
 
   /** Opens a text: a blade where it is one, with a view of it; else its faults beside it. */
   async function take(text, choice, { key = null, view = {} } = {}) {
-    const result = await client.call("parse", "parse_blade", text);
-    if (result === null) return;
+    // A built-in blade is there as it would be read.
+    const built = store.get().library.find(({ name, toml }) => name === choice && toml === text);
+    const mine = ++turn;
+    const result = built ? { status: "ok", value: structuredClone(built.blade) } : await client.call("parse", "parse_blade", text);
+    if (result === null || mine !== turn) return;
     const typed = key !== null;
     clearTimeout(typing);
     if (!typed) editor.value = text;

@@ -155,23 +155,17 @@ new ResizeObserver(() => {
 store.subscribe((_, changed) => changed.has("tab") && measure());
 
 async function start() {
-  const about = await client.call("about", "about");
-  const built = await client.call("library", "built_in_blades");
-  const faults = [about, built].flatMap((result) => (result.status === "ok" ? [] : result.faults));
-  if (faults.length > 0) {
-    store.set({ solveFaults: faults.slice(0, 1) });
-    return;
-  }
-  const { speed_units: speedUnits, version } = about.value;
+  const { about, library } = await import("./pkg/library.js");
+  const { speed_units: speedUnits, version } = about;
   at("speed-unit").replaceChildren(...speedUnits.map(({ name }) => new Option(name, name, false, name === store.get().speedUnit)));
   at("speed-unit").disabled = false;
   at("version").textContent = `bladefan ${version}`;
-  at("blade-choice").replaceChildren(...built.value.map((blade) => new Option(blade.title, blade.name)), new Option("your own blade", OWN));
+  at("blade-choice").replaceChildren(...library.map((blade) => new Option(blade.title, blade.name)), new Option("your own blade", OWN));
   at("blade-choice").disabled = false;
-  store.set({ about: about.value, library: built.value });
+  store.set({ about, library });
   if (store.get().doc !== null) return; // a file came in while the solver was loading
   if ((await fromAddress()) || (await fromLastVisit())) return;
-  const first = built.value.find((blade) => blade.name === FIRST_BLADE) ?? built.value[0];
+  const first = library.find((blade) => blade.name === FIRST_BLADE) ?? library[0];
   open(first.toml, first.name);
   at("hint").textContent = `This is the ${first.title}. Drag the line on the chart, or a slider under “What if”, and watch the branches move.`;
   at("hint").hidden = false;

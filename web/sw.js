@@ -1,7 +1,7 @@
 // Keeps the page working without a network: what was loaded once is kept, the network comes first.
 
 const CACHE = "bladefan";
-/** All that the page is made of, beside the package. tests/web/offline.test.mjs holds it to the folder. */
+/** All that the page is made of, beside the package. tests/web/share.test.mjs holds it to the folder. */
 const FILES = [
   "./", "icon.svg", "blade.css", "chart.css", "motion.css", "print.css", "stations.css", "style.css", "band.js",
   "before.js", "blade.js", "chart-data.js", "chart-tools.js", "chart.js", "client.js", "close-tools.js",
@@ -12,14 +12,14 @@ const FILES = [
   "state.js", "stations-faults.js", "stations-parts.js", "stations.js", "table.js", "theme.js", "units.js",
   "view.js", "what-if.js", "worker.js", "zoom.js",
 ];
-const ENTRY = "pkg/bladefan_wasm.js";
+const MODULES = ["bladefan_first", "bladefan_wasm"];
 
-/** The package's own files: its entry names the folder of this version. */
+/** The package's own files: its entries name the folder of this version. */
 async function packageFiles() {
-  const text = await (await fetch(ENTRY)).text();
-  const folder = /"\.\/([0-9a-f]+)\/bladefan_wasm\.js"/.exec(text)?.[1];
-  const at = folder === undefined ? "pkg" : `pkg/${folder}`;
-  return [ENTRY, `${at}/bladefan_wasm.js`, `${at}/bladefan_wasm_bg.wasm`];
+  const text = await (await fetch("pkg/library.js")).text();
+  const folder = /"\.\/([0-9a-f]+)\/library\.js"/.exec(text)[1];
+  const scripts = [...MODULES, "library"].flatMap((name) => [`pkg/${name}.js`, `pkg/${folder}/${name}.js`]);
+  return [...scripts, ...MODULES.map((name) => `pkg/${folder}/${name}_bg.wasm`)];
 }
 
 async function fill() {
