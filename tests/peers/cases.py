@@ -144,12 +144,15 @@ CASES = (
         coarse=(60, 4, 2),
         fine=(60, 6, 3),
         poisson=0.3,
-        tolerance=2.5e-3,
+        tolerance=2e-3,
         source="as the first strip",
-        reason="such a clamp also holds the curvature across the chord that goes with bending: over about half a "
-        "chord the stiffness is 1/(1 - 0.3^2) times EI, and strain energy per length is there 4 times its mean in "
-        "every mode at rest, which makes 0.2 % of the frequency. No beam has it, and without it (the two strips "
-        "above) nothing of this size is left",
+        reason="such a clamp also holds the section's change of shape that goes with bending, and a length s near it "
+        "is up to 1/(1 - 0.3^2) times as stiff. Strain energy per length is there 4 times its mean in every mode at "
+        "rest, so that this adds 0.2 s per blade length to the frequency. In flap s is a third of the chord, 0.145 %, "
+        "of which a finer mesh keeps 0.127 %. In lag it is 0.054 %, in two parts that further runs told apart, which "
+        "are not in this record: held across the chord alone the root adds 0.03 %, be the strip 2.5, 5 or 10 mm "
+        "thick; held through the thickness alone 0.008, 0.017 and 0.032 %, in proportion to the thickness. No beam "
+        "has this, and without it (the two strips above) nothing of this size is left",
     ),
 )
 
