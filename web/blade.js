@@ -17,31 +17,35 @@ const LARGEST_FILE = 4_000_000;
 export function startBlade(store, client, blade, say) {
   let typing;
   let turn = 0; // of what is opened, the last counts
+  let reading = false; // a file was given
   let shown = null; // the text that stands in the editor and the blade it is of
   const editor = new Editor(at("editor"), (text) => {
     clearTimeout(typing);
     typing = setTimeout(() => take(text, OWN, { key: "text" }), TYPING_MS);
   });
 
-  /** Opens a text: a blade where it is one, with a view of it; else its faults beside it. */
+  /** Opens a text: a blade where it is one, with a view of it; else its faults beside it. Says whether nothing newer came between. */
   async function take(text, choice, { key = null, view = {} } = {}) {
     // A built-in blade is there as it would be read.
     const built = store.get().library.find(({ name, toml }) => name === choice && toml === text);
     const mine = ++turn;
     const result = built ? { status: "ok", value: structuredClone(built.blade) } : await client.call("parse", "parse_blade", text);
-    if (result === null || mine !== turn) return;
+    if (result === null || mine !== turn) return false;
     const typed = key !== null;
     clearTimeout(typing);
     if (!typed) editor.value = text;
     shown = text;
     if (result.status === "error") {
       store.set({ textFaults: result.faults, ...(typed ? {} : { tab: "text" }) });
-      return;
+      return true;
     }
     // Another blade starts unchanged and at its own nominal speed.
     const fresh = typed ? {} : { whatIf: NEUTRAL, speed: null, window: null, ...view, opened: store.get().opened + 1 };
     blade.open(result.value, { choice, text }, { key, textFaults: [], ...fresh });
+    return true;
   }
+  /** Whether anything was opened, or is being. */
+  take.begun = () => turn > 0 || reading;
 
   /** The text tab shows the blade as it stands in the fields. */
   async function write(doc, text) {
@@ -64,6 +68,7 @@ export function startBlade(store, client, blade, say) {
       return;
     }
     // A text area holds line feeds only; places of faults are counted in what it holds.
+    reading = true;
     take((await file.text()).replaceAll("\r\n", "\n"), OWN);
   }
 

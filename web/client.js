@@ -8,7 +8,8 @@ const SUPERSEDED_MS = 1_000;
 /** Work shorter than this is not shown as such. */
 const BUSY_MS = 150;
 
-function stopped(message) {
+/** An answer in place of the package's: why there is none. */
+export function stopped(message) {
   return { status: "error", faults: [{ code: "stopped", path: "", value: null, rule: "", message, line: null, column: null }] };
 }
 
@@ -47,14 +48,32 @@ export class Client {
   call(lane, name, ...args) {
     return new Promise((resolve) => {
       if (this.#failure !== null) return resolve(stopped(this.#failure));
-      this.#waiting = this.#waiting.filter((request) => {
-        if (request.lane === lane) request.resolve(null);
-        return request.lane !== lane;
-      });
+      this.#empty(lane);
       this.#waiting.push({ id: ++this.#lastId, lane, name, args, resolve });
       this.#busyTimer ??= setTimeout(() => this.#onBusy(true), BUSY_MS);
       if (this.#running?.lane === lane) this.#supersede(this.#running);
       this.#next();
+    });
+  }
+
+  /** Calls of a lane are no longer wanted, and there is no newer one. */
+  drop(lane) {
+    this.#empty(lane);
+    if (this.#running === null) this.#finish();
+    if (this.#running?.lane !== lane) return;
+    this.#running.dropped = true;
+    this.#supersede(this.#running);
+  }
+
+  /** The worker could not be loaded. */
+  get failed() {
+    return this.#failure !== null;
+  }
+
+  #empty(lane) {
+    this.#waiting = this.#waiting.filter((request) => {
+      if (request.lane === lane) request.resolve(null);
+      return request.lane !== lane;
     });
   }
 
@@ -97,7 +116,7 @@ export class Client {
       this.#replace(); // after a panic the old instance cannot be trusted
     } else {
       this.#running = null;
-      request.resolve(request.stale && !this.#late.includes(request.lane) ? null : message.result);
+      request.resolve(request.dropped || (request.stale && !this.#late.includes(request.lane)) ? null : message.result);
     }
     this.#next();
   }

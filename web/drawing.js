@@ -24,6 +24,9 @@ function changes(before, after) {
   return made.filter(([, , value], i) => value !== old[i][2]).map(([, name, value]) => [name, value]);
 }
 
+/** Whether a line is a text of one line. */
+const isText = (lines, at) => !lines[at].startsWith("<") && [lines[at - 1], lines[at + 1]].every((line) => line?.startsWith("<"));
+
 export class Drawing {
   root;
   #lines;
@@ -53,7 +56,7 @@ export class Drawing {
         const values = changes(before, line);
         if (values === null) return false;
         steps.push(() => values.forEach(([name, value]) => element.setAttribute(name, value)));
-      } else if (!line.startsWith("<") && !before.startsWith("<") && element.localName === "text") {
+      } else if (isText(lines, i) && isText(this.#lines, i) && element.localName === "text") {
         steps.push(() => (element.firstChild.data = `\n${line}\n`));
       } else return false;
     }

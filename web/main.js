@@ -6,7 +6,7 @@ import { FIRST_BLADE, startBlade, startHistory } from "./blade.js";
 import { Chart } from "./chart.js";
 import { startChartData } from "./chart-data.js";
 import { startChartTools } from "./chart-tools.js";
-import { Client } from "./client.js";
+import { stopped } from "./client.js";
 import { startCloseTools } from "./close-tools.js";
 import { OWN, createDocument } from "./document.js";
 import { at } from "./dom.js";
@@ -20,6 +20,7 @@ import { startSaving } from "./save.js";
 import { NEUTRAL } from "./scale.js";
 import { startSensitivity } from "./sensitivity.js";
 import { isShared, startSolving } from "./solve.js";
+import { Solver } from "./solver.js";
 import { startSpeed } from "./speed.js";
 import { startSession } from "./session.js";
 import { startShare } from "./share.js";
@@ -67,7 +68,10 @@ const store = createStore({
   drawing: null,
   solveFaults: [], // of options
 });
-const client = new Client(() => new Worker(new URL("worker.js", import.meta.url), { type: "module" }), {
+/** The package's folder, once it is known: the whole module comes from there, so never of another version. */
+let folder = "whole";
+const startWorker = (whole) => new Worker(new URL("worker.js", import.meta.url), { type: "module", name: whole ? folder : "" });
+const client = new Solver(startWorker, {
   onBusy: (busy) => (at("busy").hidden = !busy),
   late: ["draw", "modes"],
 });
@@ -155,21 +159,33 @@ new ResizeObserver(() => {
 store.subscribe((_, changed) => changed.has("tab") && measure());
 
 async function start() {
-  const { about, library } = await import("./pkg/library.js");
+  const library = await import("./pkg/library.js").catch((error) => {
+    store.set({ solveFaults: stopped(`the blades could not be loaded: ${error.message}`).faults });
+    return null;
+  });
+  if (library === null) return;
+  const { about, blades } = library;
+  folder = library.folder;
   const { speed_units: speedUnits, version } = about;
   at("speed-unit").replaceChildren(...speedUnits.map(({ name }) => new Option(name, name, false, name === store.get().speedUnit)));
   at("speed-unit").disabled = false;
   at("version").textContent = `bladefan ${version}`;
-  at("blade-choice").replaceChildren(...library.map((blade) => new Option(blade.title, blade.name)), new Option("your own blade", OWN));
+  at("blade-choice").replaceChildren(...blades.map((blade) => new Option(blade.title, blade.name)), new Option("your own blade", OWN));
   at("blade-choice").disabled = false;
-  store.set({ about, library });
-  if (store.get().doc !== null) return; // a file came in while the solver was loading
-  if ((await fromAddress()) || (await fromLastVisit())) return;
-  const first = library.find((blade) => blade.name === FIRST_BLADE) ?? library[0];
+  store.set({ about, library: blades });
+  if (open.begun()) return; // a file came in meanwhile
+  if ((await fromAddress()) || (await fromLastVisit()) || open.begun()) return;
+  const first = blades.find((blade) => blade.name === FIRST_BLADE) ?? blades[0];
   open(first.toml, first.name);
   at("hint").textContent = `This is the ${first.title}. Drag the line on the chart, or a slider under “What if”, and watch the branches move.`;
   at("hint").hidden = false;
 }
 start();
 // Without a network the page goes on from what it keeps; where that is not allowed it just needs one.
-if (isSecureContext) navigator.serviceWorker?.register("sw.js").catch(() => {});
+// What is kept is fetched after the first chart, not beside it.
+let keeping = false;
+store.subscribe(({ drawing }) => {
+  if (drawing === null || keeping) return;
+  keeping = true;
+  if (isSecureContext) navigator.serviceWorker?.register("sw.js").catch(() => {});
+});

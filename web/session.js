@@ -65,9 +65,9 @@ export function startSession(store, open, say) {
   async function bring(entry) {
     try {
       const { blade, view } = await unpack(entry.packed);
-      await open(blade, OWN, { view });
-      id = entry.id;
-      return true;
+      const opened = await open(blade, OWN, { view });
+      if (opened) id = entry.id;
+      return opened;
     } catch {
       say("The kept blade cannot be read any more.");
       return false;

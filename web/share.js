@@ -30,7 +30,7 @@ export function startShare(store, open, say) {
     try {
       const { blade, choice, view } = await unpack(decodeURIComponent(location.hash.slice(1)));
       await open(blade, choice, { view });
-      return true;
+      return true; // or something newer was opened meanwhile
     } catch (error) {
       const why = error instanceof URIError ? "it is cut off or changed" : error.message;
       say(`The link cannot be read: ${why}. Ask for it anew.`);

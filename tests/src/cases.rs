@@ -2,7 +2,7 @@
 
 use crate::blades::{Hold, TestBlade, built_in};
 use alloc::collections::BTreeMap;
-use bladefan_core::analysis::{BasisFamily, ModeReport, Settings, modes};
+use bladefan_core::analysis::{ModeReport, Settings, modes};
 use bladefan_core::blade::Blade;
 use bladefan_core::dof::Dof;
 use bladefan_core::file::{Format, read};
@@ -24,8 +24,6 @@ pub struct Case {
     pub blade: String,
     /// A lag spring in place of the blade's [N·m/rad].
     pub lag_spring: Option<f64>,
-    /// Number of classical functions to compare with; the converged frequencies where it is left out.
-    pub functions: Option<usize>,
     /// Unit of the speeds: `rpm` or `rad/s`.
     pub speed_unit: String,
     /// Unit of the frequencies: `Hz` or `rad/s`.
@@ -112,11 +110,7 @@ impl Case {
                 "rad/s" => row[0],
                 unit => panic!("unit {unit}"),
             };
-            let default = Settings { speed: Some(speed), ..Settings::default() };
-            let settings = match self.functions {
-                Some(functions) => Settings { basis: BasisFamily::Classical, functions, ..default },
-                None => default,
-            };
+            let settings = Settings { speed: Some(speed), ..Settings::default() };
             let report = modes(blade, &settings).unwrap_or_else(|faults| panic!("{faults:?}"));
             for (label, &expected) in self.labels.iter().zip(&row[1..]) {
                 let mode: &ModeReport = report.modes.iter().find(|mode| mode.label == *label).expect("a known label");

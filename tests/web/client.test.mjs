@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
 import { Client } from "../../web/client.js";
+import { Solver } from "../../web/solver.js";
 
 /** A worker that answers when told to. */
 class FakeWorker {
@@ -146,4 +147,74 @@ test("only work that takes a while is shown as such", async () => {
   worker.answer("done");
   await slow;
   assert.deepEqual(busy, [false, true, false]);
+});
+
+/** A solver whose workers are told apart by what they were started for. */
+function solver() {
+  const workers = [];
+  const busy = [];
+  const made = new Solver(
+    (whole) => {
+      const worker = new FakeWorker();
+      worker.whole = whole;
+      workers.push(worker);
+      return worker;
+    },
+    { onBusy: (on) => busy.push(on), late: ["draw"] },
+  );
+  workers[0].say({ ready: true });
+  return { solver: made, workers, busy };
+}
+
+test("the whole module's worker is started by the first call that needs it, and holds up nothing", async () => {
+  const { solver: both, workers } = solver();
+  both.call("modes", "modes", {});
+  both.call("draw", "chart_svg", "fan", {}, { measured: null });
+  assert.deepEqual(workers.map(({ whole }) => whole), [false]);
+  const parsed = both.call("parse", "parse_blade", "x");
+  assert.deepEqual(workers.map(({ whole }) => whole), [false, true]);
+  assert.equal(workers[1].sent.length, 0, "it is not loaded yet");
+  workers[0].answer("modes");
+  workers[0].answer("drawing");
+  assert.deepEqual(workers[0].sent.map(({ name }) => name), ["modes", "chart_svg"]);
+  workers[1].say({ ready: true });
+  workers[1].answer("blade");
+  assert.equal(await parsed, "blade");
+  for (const args of [["fan", {}, { measured: "label" }], ["shapes", {}], ["converge", {}]]) both.call(args.join(), "chart_svg", ...args);
+  assert.equal(workers[0].sent.length, 2, "the small one draws no other chart");
+});
+
+test("a lane is one, whichever worker its newest call is for", async () => {
+  const { solver: both, workers } = solver();
+  const fan = both.call("draw", "chart_svg", "fan", {});
+  const converge = both.call("draw", "chart_svg", "converge", {});
+  workers[0].answer("fan"); // late answers of this lane are taken, but not of the other chart
+  assert.equal(await fan, null);
+  workers[1].say({ ready: true });
+  const back = both.call("draw", "chart_svg", "fan", {});
+  workers[1].answer("converge");
+  assert.equal(await converge, null);
+  workers[0].answer("fan again");
+  assert.equal(await back, "fan again");
+});
+
+test("a whole module that cannot be loaded is said, and tried again by the next call", async () => {
+  const { solver: both, workers, busy } = solver();
+  const first = both.call("parse", "parse_blade", "x");
+  workers[1].say({ failed: "gone" });
+  assert.match((await first).faults[0].message, /could not be loaded: gone/);
+  const second = both.call("parse", "parse_blade", "x");
+  assert.equal(workers.length, 3);
+  workers[2].say({ ready: true });
+  workers[2].answer("blade");
+  assert.equal(await second, "blade");
+  // What is waited for while it loads is shown as work, until nobody waits.
+  const { solver: slow, workers: small, busy: shown } = solver();
+  slow.call("draw", "chart_svg", "converge", {});
+  await sleep(200);
+  assert.equal(shown.at(-1), true);
+  slow.call("draw", "chart_svg", "fan", {});
+  small[0].answer("fan");
+  assert.equal(shown.at(-1), false);
+  assert.ok(!busy.includes(true));
 });

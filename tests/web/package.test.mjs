@@ -1,7 +1,8 @@
 // The package's two modules: the first view needs the small one alone, and both give the same.
 
 import assert from "node:assert/strict";
-import { frequencies, pageTest } from "./support.mjs";
+import { test } from "node:test";
+import { frequencies, open, pageTest } from "./support.mjs";
 
 const wasmOf = (requests) => [...new Set(requests.map((url) => /(\w+)_bg\.wasm$/.exec(url)?.[1]).filter(Boolean))];
 
@@ -13,7 +14,7 @@ pageTest("the first view and the sliders load the small module alone, a converge
   await page.locator("#motion svg").first().waitFor();
   const before = await frequencies(page);
   await page.locator("#what-if-factors-flap_stiffness").fill("0.3");
-  while ((await frequencies(page))["2F"] === before["2F"]) await page.waitForTimeout(20);
+  await page.waitForFunction((old) => document.querySelectorAll("#modes tbody tr")[1].cells[1].dataset.full !== old, String(before["2F"]));
   assert.deepEqual(wasmOf(requests), ["bladefan_first"]);
   await page.locator("#tab-converge").click();
   await page.locator("#chart [data-family]").first().waitFor({ state: "attached" });
@@ -24,7 +25,7 @@ pageTest("both modules give the same, and the library is what the whole reads", 
   const compared = await page.evaluate(async () => {
     const [first, whole] = await Promise.all(["first", "wasm"].map((name) => import(`./pkg/bladefan_${name}.js`)));
     await Promise.all([first.default(), whole.default()]);
-    const { about, library } = await import("./pkg/library.js");
+    const { about, blades: library } = await import("./pkg/library.js");
     const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
     const faults = [];
     if (!same(whole.about().value, about)) faults.push("about");
@@ -57,4 +58,40 @@ pageTest("a whole module that does not come is said, and asked for again", {}, a
   await page.locator("#tab-fan").click();
   await page.locator("#tab-converge").click();
   await page.locator("#chart [data-family]").first().waitFor({ state: "attached" });
+});
+
+pageTest("what is opened while a file is being read stays, and keeps its name", {}, async (page) => {
+  // An own blade is kept, then brought back over a connection on which the whole module takes its time.
+  await page.locator("#what-if-factors-mass").fill("0.2");
+  await page.waitForFunction(() => Object.keys(localStorage).some((key) => localStorage.getItem(key).includes("packed")));
+  const kept = () => page.evaluate(() => JSON.stringify(Object.entries(localStorage)));
+  let release;
+  const held = new Promise((resolve) => (release = resolve));
+  await page.route("**/bladefan_wasm_bg.wasm", async (route) => {
+    await held;
+    await route.continue();
+  });
+  await page.reload();
+  await page.locator("#blade-choice option[value=sa330]").waitFor({ state: "attached" });
+  await page.locator("#blade-choice").selectOption("sa330");
+  await page.locator("#chart > svg:not(.overlay)").waitFor();
+  const before = await kept();
+  release();
+  await page.waitForTimeout(600);
+  assert.match(await page.locator("#chart > svg:not(.overlay)").getAttribute("aria-label"), /SA 330/);
+  // A change of the other blade does not take the place of the kept one.
+  await page.locator("#what-if-factors-mass").fill("0.3");
+  await page.waitForFunction((old) => JSON.stringify(Object.entries(localStorage)) !== old, before);
+  assert.equal(await page.evaluate(() => Object.values(localStorage).map((text) => JSON.parse(text)).flat().filter((entry) => entry?.packed).length), 2);
+});
+
+test("a library that does not come is said", async () => {
+  const { page, close } = await open();
+  try {
+    await page.route("**/pkg/library.js", (route) => route.abort());
+    await page.reload();
+    await page.locator("#solve-faults", { hasText: "could not be loaded" }).waitFor();
+  } finally {
+    await close(); // what the browser tells of the request that failed is no complaint here
+  }
 });

@@ -54,7 +54,9 @@ impl Cli {
     pub(super) fn file(&self, name: &str, text: &str) -> String {
         let path = self.scratch.join(name);
         fs::write(&path, text).unwrap();
-        path.to_str().expect("a path in UTF-8").into()
+        let path = path.to_str().expect("a path in UTF-8");
+        assert!(!path.contains(' '), "the folder of temporary files has a space in its name: {path}");
+        path.into()
     }
 
     /// The table of numbers of a command.

@@ -9,7 +9,7 @@ const END: &str = "<!-- end -->";
 ///
 /// # Errors
 /// A part without an end, one that is not among `parts`, or one of `parts` that the document does not show.
-pub fn replace(document: &str, parts: &BTreeMap<String, String>) -> Result<String, String> {
+pub(super) fn replace(document: &str, parts: &BTreeMap<String, String>) -> Result<String, String> {
     let mut shown = Vec::new();
     let mut pieces = document.split(BEGIN);
     let mut text = pieces.next().unwrap_or_default().to_string();

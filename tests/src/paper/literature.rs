@@ -25,11 +25,10 @@ pub(super) fn tables(output: &mut Output) {
         output.part(
             &format!("case {name}"),
             format!(
-                "**{}** (`tests/cases/{name}.toml`). Source: {}\n\n{}\nBeside each value the difference of {} from it, in per cent (0 where it is below 5e-7). Allowed: {tolerance}. {}\n",
+                "**{}** (`tests/cases/{name}.toml`). Source: {}\n\n{}\nBeside each value the difference of the converged frequency from it, in per cent (0 where it is below 5e-7). Allowed: {tolerance}. {}\n",
                 case.title,
                 plain(&case.source),
                 table(&head, &rows),
-                case.functions.map_or("the converged frequency".into(), |count| format!("{count} functions")),
                 plain(&case.why),
             ),
         );

@@ -16,14 +16,14 @@ mod times;
 mod uniform;
 
 pub use cli::Cli;
-pub use document::replace;
 
 use alloc::collections::BTreeMap;
+use document::replace;
 use std::fs;
 use std::path::Path;
 
 /// The document with the generated parts.
-pub const DOCUMENT: &str = "docs/VALIDATION.md";
+const DOCUMENT: &str = "docs/VALIDATION.md";
 
 /// What the command line makes of the paper: whole files, and parts of the document by their names.
 #[derive(Debug, Default)]
