@@ -1,10 +1,10 @@
-// The solver in two workers: one with the small module, for the first view and the sliders, and one with
-// the whole, started when something else is asked for. Loading the whole holds up nothing.
+// The solver in two workers: one with the small module, for the first chart and the sliders, and one with
+// the whole, started when something else is asked for. Neither its loading nor its work holds up a chart.
 
 import { Client } from "./client.js";
 
 /** What the small module answers, beside fan charts without measured points. */
-const SMALL = ["modes", "fan", "shapes"];
+const SMALL = ["modes", "fan"];
 
 function isSmall(name, [kind, , options]) {
   return SMALL.includes(name) || (name === "chart_svg" && kind === "fan" && (options?.measured ?? null) === null);

@@ -78,15 +78,6 @@ pub fn fan(
     solve(blade, options::settings(options, Analysis::Fan), analysis::fan)
 }
 
-/// Mode shapes along the span at one rotor speed.
-#[wasm_bindgen(unchecked_return_type = "Reply<ShapesReport>")]
-pub fn shapes(
-    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
-    #[wasm_bindgen(unchecked_optional_param_type = "ShapesOptions")] options: &JsValue,
-) -> Answer {
-    solve(blade, options::settings(options, Analysis::Shapes), analysis::shapes)
-}
-
 /// Draws a chart: its SVG text, size and plot areas, and the result that was drawn.
 #[wasm_bindgen(unchecked_return_type = "Reply<Drawing<ChartReport>>")]
 pub fn chart_svg(

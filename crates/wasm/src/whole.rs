@@ -65,6 +65,15 @@ pub fn margins(
     })
 }
 
+/// Mode shapes along the span at one rotor speed.
+#[wasm_bindgen(unchecked_return_type = "Reply<ShapesReport>")]
+pub fn shapes(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "ShapesOptions")] options: &JsValue,
+) -> Answer {
+    solve(blade, options::settings(options, Analysis::Shapes), analysis::shapes)
+}
+
 /// Frequency against the number of assumed functions at one rotor speed.
 #[wasm_bindgen(unchecked_return_type = "Reply<ConvergeReport>")]
 pub fn converge(
