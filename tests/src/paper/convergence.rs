@@ -30,7 +30,10 @@ pub(super) fn figures_6_and_7(cli: &Cli, output: &mut Output) {
             part +=
                 &output.image(&name, &format!("{dof} frequencies per rev against the number of functions"), drawing);
             let link = output.csv(&name, csv(&reports));
-            part += &format!("\n`bladefan {}`, N = 1 … {LAST}, {link}\n\n", command("N", MODES));
+            part += &format!(
+                "\n`bladefan {}`, N = 1 … {LAST} (below {MODES}, as many modes), {link}\n\n",
+                command("N", MODES)
+            );
         }
         let command = format!("converge {blade} --speed {speed} --up-to {LAST} --modes {MODES}");
         part += "The same as errors, with the piecewise functions:\n\n";
