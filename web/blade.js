@@ -16,8 +16,7 @@ const LARGEST_FILE = 4_000_000;
 /** Makes list, file button, dropping and text work; returns what opens a blade's text. */
 export function startBlade(store, client, blade, say) {
   let typing;
-  let turn = 0; // of what is opened, the last counts
-  let reading = false; // a file was given
+  let begun = false;
   let shown = null; // the text that stands in the editor and the blade it is of
   const editor = new Editor(at("editor"), (text) => {
     clearTimeout(typing);
@@ -28,9 +27,10 @@ export function startBlade(store, client, blade, say) {
   async function take(text, choice, { key = null, view = {} } = {}) {
     // A built-in blade is there as it would be read.
     const built = store.get().library.find(({ name, toml }) => name === choice && toml === text);
-    const mine = ++turn;
+    begun = true;
+    if (built) client.drop("parse"); // what is still being read is no longer wanted
     const result = built ? { status: "ok", value: structuredClone(built.blade) } : await client.call("parse", "parse_blade", text);
-    if (result === null || mine !== turn) return false;
+    if (result === null) return false;
     const typed = key !== null;
     clearTimeout(typing);
     if (!typed) editor.value = text;
@@ -45,7 +45,7 @@ export function startBlade(store, client, blade, say) {
     return true;
   }
   /** Whether anything was opened, or is being. */
-  take.begun = () => turn > 0 || reading;
+  take.begun = () => begun;
 
   /** The text tab shows the blade as it stands in the fields. */
   async function write(doc, text) {
@@ -68,7 +68,7 @@ export function startBlade(store, client, blade, say) {
       return;
     }
     // A text area holds line feeds only; places of faults are counted in what it holds.
-    reading = true;
+    begun = true;
     take((await file.text()).replaceAll("\r\n", "\n"), OWN);
   }
 

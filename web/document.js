@@ -59,6 +59,15 @@ export function createDocument(store) {
     future = [];
   }
 
+  /** Shows the last of one list; what stood there goes to the other. */
+  function travel(from, to) {
+    const entry = from.pop();
+    if (entry === undefined) return;
+    to.push(now());
+    step = { key: null, time: -Infinity };
+    show(entry);
+  }
+
   return {
     /** Takes another blade in; `text` is its file, where there is one. Typing with one `key` is one step. */
     open(doc, { choice, text = null }, { key = null, ...more } = {}) {
@@ -75,19 +84,7 @@ export function createDocument(store) {
       remember(key);
       show({ doc: next, text: null, choice: OWN });
     },
-    undo() {
-      const entry = past.pop();
-      if (entry === undefined) return;
-      future.push(now());
-      step = { key: null, time: -Infinity };
-      show(entry);
-    },
-    redo() {
-      const entry = future.pop();
-      if (entry === undefined) return;
-      past.push(now());
-      step = { key: null, time: -Infinity };
-      show(entry);
-    },
+    undo: () => travel(past, future),
+    redo: () => travel(future, past),
   };
 }

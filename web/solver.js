@@ -32,6 +32,12 @@ export class Solver {
     return (small ? this.#small : this.#whole).call(lane, name, ...args);
   }
 
+  /** Calls of a lane are no longer wanted, and there is no newer one. */
+  drop(lane) {
+    this.#small.drop(lane);
+    this.#whole?.drop(lane);
+  }
+
   #count(who, busy) {
     if (busy) this.#busy.add(who);
     else this.#busy.delete(who);
