@@ -12,6 +12,7 @@ extern crate alloc;
 pub mod blades;
 pub mod bracket;
 pub mod cases;
+pub mod closed_forms;
 pub mod exact;
 pub mod faults;
 pub mod paper;

@@ -7,6 +7,7 @@
 use bladefan_core::analysis::{Settings, ShapeScale, ShapesReport, shapes};
 use bladefan_core::dof::Dof;
 use bladefan_tests::blades::{End, Table, TestBlade};
+use bladefan_tests::closed_forms::{CLAMPED, CONTROL_SPRING, HINGED, SPRING_HINGED};
 use bladefan_tests::solve::{converged, frequencies, settings};
 
 /// Error allowed where the assumed functions hold the answer and only quadrature and rounding act:
@@ -30,59 +31,6 @@ fn assert_above(found: &[f64], exact: &[f64], tolerance: f64, what: &str) {
         assert!(f >= e * (1.0 - 1e-11), "{what}: {f} is below the exact {e}");
     }
 }
-
-/// z² with cos z cosh z + 1 = 0.
-const CLAMPED: [f64; 10] = [
-    3.516_015_268_500_151,
-    22.034_491_564_666_77,
-    61.697_214_413_549_1,
-    120.901_916_052_305_7,
-    199.859_530_116_803_5,
-    298.555_530_967_730_1,
-    416.990_786_056_605_5,
-    555.165_247_555_762_7,
-    713.078_917_978_976_2,
-    890.731_797_198_301_6,
-];
-/// z² with tan z = tanh z.
-const HINGED: [f64; 10] = [
-    15.418_205_716_980_06,
-    49.964_862_031_800_22,
-    104.247_696_458_861_3,
-    178.269_729_494_609,
-    272.030_971_305_025_3,
-    385.531_421_917_553_1,
-    518.771_081_332_259_4,
-    671.749_949_549_144_7,
-    844.468_026_568_208_2,
-    1_036.925_312_389_451,
-];
-/// ω of l = 2, m = 1, EI = 50, K = 30: K (1 + cos z cosh z) + EI β (cos z sinh z − cosh z sin z) = 0.
-const SPRING_HINGED: [f64; 10] = [
-    2.959_236_123_499_782,
-    28.978_680_210_944_11,
-    90.273_079_888_526_14,
-    186.282_201_409_597_2,
-    317.165_228_755_278_9,
-    482.931_368_170_881_1,
-    683.586_068_527_482_9,
-    919.131_692_085_411_9,
-    1_189.569_469_412_312,
-    1_494.900_101_326_671,
-];
-/// ω of l = 2, ρI = 1, GJ = 7, K = 3: K cos γl = GJ γ sin γl.
-const CONTROL_SPRING: [f64; 10] = [
-    1.074_533_124_175_337,
-    4.483_617_241_199_461,
-    8.487_561_804_174_18,
-    12.586_662_263_534_46,
-    16.713_357_022_916_95,
-    20.851_548_525_298_25,
-    24.995_588_122_678_14,
-    29.142_999_475_274_07,
-    33.292_529_272_334_47,
-    37.443_476_113_425_34,
-];
 
 /// Ten modes with N = 10 … 60 functions.
 fn check_uniform(blade: &TestBlade, dof: Dof, expected: &[f64], what: &str) {

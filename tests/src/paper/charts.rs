@@ -38,7 +38,9 @@ pub(super) fn figure_9(cli: &Cli, output: &mut Output) {
     output.files.insert(POINTS.into(), points);
     let command = format!("fan tm4760 --speeds 0:70:71 --measured {file}");
     let (converged, mut part) = chart(cli, output, "fig-9", &command);
-    let fifteen = cli.json(&format!("{command} --basis classical --functions 15"));
+    let by_count =
+        [10, 15, 30, 60].map(|count| (count, cli.json(&format!("{command} --basis classical --functions {count}"))));
+    let (_, fifteen) = &by_count[1];
     let found = |report: &Value, label: &str, speed: f64| -> (f64, f64) {
         let at = |point: &&Value| point["label"] == label && (number(&point["speed_rad_s"]) - speed).abs() < 1e-6;
         let point = list(&report["measured"]).iter().find(at).expect("every point of the case");
@@ -54,13 +56,11 @@ pub(super) fn figure_9(cli: &Cli, output: &mut Output) {
     let mut head = cells(&["rpm"]);
     head.extend(case.labels.iter().cloned());
     let line = |row: &Vec<f64>| {
-        let cell = |(label, reference): (&String, &f64)| match (
-            off(&converged, label, row[0]),
-            off(&fifteen, label, row[0]),
-        ) {
-            (Some(a), Some(b)) => format!("{reference} {} ({})", percent(a), percent(b)),
-            _ => "0 exactly".into(),
-        };
+        let cell =
+            |(label, reference): (&String, &f64)| match (off(&converged, label, row[0]), off(fifteen, label, row[0])) {
+                (Some(a), Some(b)) => format!("{reference} {} ({})", percent(a), percent(b)),
+                _ => "0 exactly".into(),
+            };
         let mut line = vec![row[0].to_string()];
         line.extend(case.labels.iter().zip(&row[1..]).map(cell));
         line
@@ -76,12 +76,8 @@ pub(super) fn figure_9(cli: &Cli, output: &mut Output) {
         line.extend(GROUPS.iter().map(|labels| mean(report, labels)));
         line
     };
-    let mut rows: Vec<Vec<String>> = [10, 15, 30, 60]
-        .map(|count| {
-            let report = cli.json(&format!("{command} --basis classical --functions {count}"));
-            line(&format!("{count} functions"), &report)
-        })
-        .into();
+    let mut rows: Vec<Vec<String>> =
+        by_count.iter().map(|(count, report)| line(&format!("{count} functions"), report)).collect();
     rows.push(line("converged", &converged));
     let mut paper = cells(&["the paper, against its finite elements"]);
     paper.extend(cells(&PAPER));

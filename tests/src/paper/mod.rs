@@ -60,9 +60,7 @@ impl Output {
     /// # Panics
     /// Where the document has not the parts.
     pub fn stale(&self, root: &Path) -> Vec<String> {
-        let is = |path: &str, text: &str| fs::read_to_string(root.join(path)).is_ok_and(|found| found == text);
-        let files = self.all(root).into_iter();
-        files.filter(|(path, text)| !is(path, text)).map(|(path, _)| path).collect()
+        self.changes(root).into_keys().collect()
     }
 
     /// Writes what is not what it should be; returns the paths.
@@ -70,18 +68,20 @@ impl Output {
     /// # Panics
     /// Where a file cannot be written.
     pub fn write(&self, root: &Path) -> Vec<String> {
-        let stale = self.stale(root);
-        for (path, text) in self.all(root).iter().filter(|(path, _)| stale.contains(path)) {
+        let changes = self.changes(root);
+        for (path, text) in &changes {
             fs::write(root.join(path), text).unwrap_or_else(|error| panic!("{path}: {error}"));
         }
-        stale
+        changes.into_keys().collect()
     }
 
-    fn all(&self, root: &Path) -> BTreeMap<String, String> {
+    /// The text of every file that is not what it should be.
+    fn changes(&self, root: &Path) -> BTreeMap<String, String> {
         let text = fs::read_to_string(root.join(DOCUMENT)).unwrap_or_else(|error| panic!("{DOCUMENT}: {error}"));
         let document = replace(&text, &self.parts).unwrap_or_else(|fault| panic!("{DOCUMENT}: {fault}"));
         let mut all = self.files.clone();
         all.insert(DOCUMENT.into(), document);
+        all.retain(|path, text| !fs::read_to_string(root.join(path)).is_ok_and(|found| found == *text));
         all
     }
 

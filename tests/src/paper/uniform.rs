@@ -4,21 +4,14 @@
 use super::plot::{Axes, COLOURS, Curve, GREY, Stroke, chart};
 use super::table::{cells, labelled, list, number, table};
 use super::{Cli, Output};
+use crate::closed_forms::{CLAMPED, CONTROL_SPRING, SPRING_HINGED};
 use core::f64::consts::PI;
 use core::fmt::Write as _;
-use libm::{cos, cosh, sin, tanh};
 
 const MODES: usize = 10;
 const MOST: usize = 60;
 /// Errors of 0 are drawn here.
 const FLOOR: f64 = 1e-17;
-
-/// EI, GJ, length and springs of the two blade files.
-const EI: f64 = 50.0;
-const GJ: f64 = 7.0;
-const LENGTH: f64 = 2.0;
-const HINGE_SPRING: f64 = 30.0;
-const CONTROL_SPRING: f64 = 3.0;
 
 struct Panel {
     name: &'static str,
@@ -28,21 +21,11 @@ struct Panel {
     letter: char,
     /// The paper's largest error: stated in its text for Fig. 4, the end of the axis for Fig. 5.
     paper: f64,
-    /// What z = βl or γl of a mode makes zero; mode i lies between i − 1 and i times π.
-    condition: fn(f64) -> f64,
-    /// The frequency of z [rad/s].
-    frequency: fn(f64) -> f64,
+    /// The closed form of a mode, from 1 [rad/s].
+    exact: fn(usize) -> f64,
 }
 
-fn bending(z: f64) -> f64 {
-    (z / LENGTH) * (z / LENGTH) * EI.sqrt()
-}
-
-fn torsion(z: f64) -> f64 {
-    z / LENGTH * GJ.sqrt()
-}
-
-/// The characteristic equations, divided by cosh z where they hold it (paper Eq. 15, 22–25 and those of torsion).
+/// The two blade files have the length 2, EI = 50, GJ = 7, and springs of 30 (hinge) and 3 (pitch control).
 const PANELS: [Panel; 4] = [
     Panel {
         name: "fig-4a",
@@ -51,8 +34,7 @@ const PANELS: [Panel; 4] = [
         dof: "flap",
         letter: 'F',
         paper: 7.6e-5,
-        condition: |z| cos(z) + 1.0 / cosh(z),
-        frequency: bending,
+        exact: |mode| CLAMPED[mode - 1] / 4.0 * 50_f64.sqrt(),
     },
     Panel {
         name: "fig-4b",
@@ -61,8 +43,7 @@ const PANELS: [Panel; 4] = [
         dof: "flap",
         letter: 'F',
         paper: 3e-5,
-        condition: |z| HINGE_SPRING * (1.0 / cosh(z) + cos(z)) + EI * z / LENGTH * (cos(z) * tanh(z) - sin(z)),
-        frequency: bending,
+        exact: |mode| SPRING_HINGED[mode - 1],
     },
     Panel {
         name: "fig-5a",
@@ -71,8 +52,7 @@ const PANELS: [Panel; 4] = [
         dof: "torsion",
         letter: 'T',
         paper: 4.87e-5,
-        condition: cos,
-        frequency: torsion,
+        exact: |mode| (mode as f64 - 0.5) * PI / 2.0 * 7_f64.sqrt(),
     },
     Panel {
         name: "fig-5b",
@@ -81,23 +61,9 @@ const PANELS: [Panel; 4] = [
         dof: "torsion",
         letter: 'T',
         paper: 9e-5,
-        condition: |z| CONTROL_SPRING * cos(z) - GJ * z / LENGTH * sin(z),
-        frequency: torsion,
+        exact: |mode| CONTROL_SPRING[mode - 1],
     },
 ];
-
-/// The only root between `low` and `high`, to the last bit that bisection gives.
-fn root(condition: fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    let rising = condition(low) < 0.0;
-    assert!(rising != (condition(high) < 0.0), "no root between {low} and {high}");
-    loop {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            return middle;
-        }
-        if (condition(middle) < 0.0) == rising { low = middle } else { high = middle }
-    }
-}
 
 pub(super) fn figures_4_and_5(cli: &Cli, output: &mut Output) {
     let mut rows = Vec::new();
@@ -111,9 +77,7 @@ pub(super) fn figures_4_and_5(cli: &Cli, output: &mut Output) {
         let mut csv = String::from("mode,functions,frequency [rad/s],closed form [rad/s],relative error\n");
         let (mut points, mut largest) = (Vec::new(), 0.0_f64);
         for mode in 1..=MODES {
-            // Not from 0, where the bending conditions vanish or nearly do.
-            let z = root(panel.condition, (mode as f64 - 1.0) * PI + 1e-3, mode as f64 * PI + 1e-3);
-            let exact = (panel.frequency)(z);
+            let exact = (panel.exact)(mode);
             let label = format!("{mode}{}", panel.letter);
             let series = labelled(&report["series"], &label);
             for (functions, value) in list(&report["functions"]).iter().zip(list(&series["classical_rad_s"])) {
