@@ -6,7 +6,9 @@ use crate::converged::Converged;
 use crate::dof::Dof;
 use crate::fault::Fault;
 use crate::functions::{AssumedFunctions, BasisFamily};
-use crate::lagrange::{Bounds, Energies, Fields, FromTip, Grid, SystemMatrices, assemble, bounds, classical_functions};
+use crate::lagrange::{
+    Bounds, Energies, Fields, FromTip, Grid, SystemMatrices, assemble, bounds, classical_functions, system,
+};
 use crate::modes::{self, Mode, SolveError};
 use crate::numerics::quadrature::GaussRules;
 use alloc::boxed::Box;
@@ -32,7 +34,7 @@ impl Classical {
     pub(super) fn new(blade: &Blade, dof: Dof, count: usize, rules: &GaussRules, for_bounds: bool) -> Self {
         let functions = classical_functions(blade, dof, count);
         let more = if for_bounds { POINTS_FOR_BOUNDS } else { 0 };
-        let grid = Grid::for_functions(blade, dof, functions.as_ref(), rules, more);
+        let grid = Grid::for_functions(blade, dof, functions.as_ref(), rules, more, &[]);
         let fields = Fields::sample(&grid, functions.as_ref());
         let matrices = assemble(&grid, Energies::new(&grid, &fields), functions.has_rigid_motion());
         Self { functions, grid, fields, matrices }
@@ -128,7 +130,8 @@ pub(super) fn converged(
     count: usize,
     rules: &GaussRules,
 ) -> Result<Converged, Vec<Fault>> {
-    Converged::new(blade, dof, range, count, rules).map_err(|cause| super::unsolvable(SolveError { dof, cause }))
+    Converged::new(blade, dof, range, count, rules)
+        .map_err(|cause| super::unsolvable(SolveError { dofs: system(dof).dofs, cause }))
 }
 
 pub(super) fn solve(matrices: &SystemMatrices, speed: f64, count: usize) -> Result<Vec<Mode>, Vec<Fault>> {

@@ -7,6 +7,7 @@ use crate::converged::{Converged, TOLERANCE};
 use crate::dof::Dof;
 use crate::fault::Fault;
 use crate::functions::MOST_ORDER;
+use crate::lagrange::system;
 use crate::modes::{Mode, SolveError};
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::sqrt;
@@ -76,7 +77,7 @@ fn piecewise_steps(
 ) -> Result<Vec<(usize, Vec<Mode>)>, Vec<Fault>> {
     let mut steps = Vec::new();
     for order in 1..=MOST_ORDER {
-        let cause = |cause| unsolvable(SolveError { dof, cause });
+        let cause = |cause| unsolvable(SolveError { dofs: system(dof).dofs, cause });
         let found = Converged::with_order(blade, dof, speed * speed, count, order, rules).map_err(cause)?;
         let modes = available(found.matrices(), speed * speed, count).map_err(unsolvable)?;
         let done = found.error() <= TOLERANCE && modes.len() == count;

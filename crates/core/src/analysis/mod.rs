@@ -48,7 +48,13 @@ fn available(matrices: &SystemMatrices, speed_squared: f64, count: usize) -> Res
 
 fn unsolvable(error: SolveError) -> Vec<Fault> {
     let rule = "the equations of the degree of freedom must have an answer";
-    vec![Fault::new(FaultCode::Unsolvable, error.dof.name(), None, rule, error.to_string())]
+    vec![Fault::new(
+        FaultCode::Unsolvable,
+        error.dofs.first().map_or("", |dof| dof.name()),
+        None,
+        rule,
+        error.to_string(),
+    )]
 }
 
 /// Says so where the piecewise functions did not reach their tolerance.

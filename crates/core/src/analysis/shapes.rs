@@ -48,16 +48,17 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Vec<Fa
             (ShapeScale::Mass, Dof::Flap | Dof::Lag) => Some(mass),
             (ShapeScale::Mass, Dof::Torsion) => Some(torsion_norm(blade, functions.as_ref(), &rules)),
         };
-        let sampled = modes::shapes(&tables, &solved, speed * speed, norm.as_ref());
-        report.shapes.extend(solved.iter().zip(sampled).enumerate().map(|(index, (mode, shape))| ShapeReport {
+        let sampled = modes::shapes(&[tables], &solved, speed * speed, norm.as_ref());
+        let components = sampled.into_iter().flat_map(|shape| shape.components);
+        report.shapes.extend(solved.iter().zip(components).enumerate().map(|(index, (mode, component))| ShapeReport {
             label: label(dof, index + 1),
             dof,
             number: index + 1,
             frequency_rad_s: mode.frequency,
             orthogonality: orthogonality[index],
-            displacement: shape.displacement,
-            slope: shape.slope,
-            moment: shape.moment,
+            displacement: component.displacement,
+            slope: component.slope,
+            moment: component.moment,
         }));
     }
     report.r_m = radii;

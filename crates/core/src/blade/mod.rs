@@ -4,6 +4,7 @@ mod check;
 mod convert;
 mod definition;
 mod model;
+mod section;
 mod tension;
 
 pub use check::check;
@@ -14,4 +15,5 @@ pub use definition::{
     BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Source,
 };
 pub use model::{Blade, Root, RootCondition};
-pub use tension::{Tension, moments, tension_inside};
+pub use section::{Section, Stretch, stretches};
+pub use tension::moments;

@@ -1,28 +1,30 @@
 //! The converged answer: piecewise functions, as many as it takes.
 //!
 //! A blade has some hundred of them. Their lowest modes at a few speeds, found by inverse iteration
-//! in time proportional to the number of elements, span a small space in which those of all other
+//! in time proportional to the number of elements, span a small subspace in which those of all other
 //! speeds lie to far below the tolerance; so a few functions come out, with matrices like those of
 //! any others. How good they are is measured by how far their modes are from equilibrium.
 
 mod elements;
-mod mesh;
-mod space;
+mod layout;
+mod reduced;
+mod refine;
+mod subspace;
 
 use crate::blade::Blade;
 use crate::dof::Dof;
-use crate::functions::{Deformation, MOST_ORDER, PiecewiseFunctions};
-use crate::lagrange::{Fields, FromTip, Grid, SystemMatrices, assemble, moment_gaps};
-use crate::numerics::chain::Chain;
-use crate::numerics::eigen::{EigenError, lowest};
+use crate::functions::{Deformation, PiecewiseFunctions};
+use crate::lagrange::{Fields, FromTip, Grid, SystemMatrices};
+use crate::numerics::eigen::EigenError;
 use crate::numerics::quadrature::GaussRules;
-use crate::numerics::scalar::{ceil, ln, sqrt};
 use alloc::vec;
 use alloc::vec::Vec;
-use elements::Elements;
-use mesh::{Layout, first_layout};
+use elements::{Elements, Factor};
+use layout::first_layout;
 use nalgebra::DMatrix;
-use space::Space;
+use reduced::Reduced;
+use refine::raise;
+use subspace::Subspace;
 
 /// Relative error of an eigenvalue that is aimed at.
 pub const TOLERANCE: f64 = 1e-10;
@@ -41,8 +43,6 @@ const ANCHORS: [f64; 6] = [0.5, 0.0, 1.0, 0.25, 0.75, 0.06];
 const FIRST_ANCHORS: usize = 3;
 /// Where the answer is checked besides, as shares of the range of Ω².
 const CHECKS: [f64; 2] = [1.0, 0.2];
-/// A direction with less than this beside those there are is left out.
-const NOTHING_NEW: f64 = 1e-8;
 
 /// The lowest modes of one degree of freedom over a range of rotor speeds, as a few functions.
 #[derive(Clone, Debug)]
@@ -50,14 +50,6 @@ pub struct Converged {
     elements: Elements,
     found: Reduced,
     error: f64,
-}
-
-/// The few functions that came out.
-#[derive(Clone, Debug)]
-struct Reduced {
-    /// Their strain coefficients; the rigid motion has none.
-    coefficients: DMatrix<f64>,
-    matrices: SystemMatrices,
 }
 
 impl Converged {
@@ -118,17 +110,19 @@ impl Converged {
         let at = |share: f64| if range { from + share * (to - from) } else { to };
         let mut anchors = if range { &ANCHORS[..FIRST_ANCHORS] } else { &ANCHORS[..1] };
         let start = at(ANCHORS[0]);
-        let chain = elements.factor(start).ok_or(EigenError::NotPositiveDefinite)?;
-        let mut space = Space::new(&elements, start);
-        space.push_turned_root(&chain, start);
+        let factor = elements.factor(start).ok_or(EigenError::NotPositiveDefinite)?;
+        let mut subspace = Subspace::new(&elements, start);
+        subspace.push_rotated_root(&factor, start);
         // One degree above the rigid motion, so that no symmetry hides a mode from it.
-        let start: Vec<f64> = elements.grid().x().map(|x| if elements.torsion { x } else { x * x }).collect();
-        space.push_start(&chain, &start);
+        let deformation = elements.grid().deformation();
+        let start: Vec<f64> =
+            elements.grid().x().map(|x| if deformation == Deformation::Torsion { x } else { x * x }).collect();
+        subspace.push_start(&factor, &start);
         // Fewer for a range: its ends give theirs, too.
         let wanted = if range { 2 * count } else { 2 * count + 2 };
         let mut next = 0;
-        while space.members() < wanted && next < space.members() {
-            space.push_next(&chain, next);
+        while subspace.members() < wanted && next < subspace.members() {
+            subspace.push_next(&factor, next);
             next += 1;
         }
         let from_tip = FromTip::new(elements.fine_grid(), rules);
@@ -137,15 +131,15 @@ impl Converged {
             for (index, share) in anchors.iter().enumerate() {
                 let s = at(*share);
                 let there;
-                let chain = if index == 0 {
-                    &chain
+                let factor = if index == 0 {
+                    &factor
                 } else {
                     there = elements.factor(s).ok_or(EigenError::NotPositiveDefinite)?;
                     &there
                 };
-                iterate(&mut space, chain, s, count, settled)?;
+                iterate(&mut subspace, factor, s, count, settled)?;
             }
-            let found = Reduced::new(&elements, &space, anchors.iter().map(|share| at(*share)), count)?;
+            let found = Reduced::new(&elements, &subspace, anchors.iter().map(|share| at(*share)), count)?;
             let mut error = 0.0_f64;
             let mut shares = vec![0.0; elements.mesh.orders().len()];
             for share in if range { &CHECKS[..] } else { &CHECKS[..1] } {
@@ -157,7 +151,7 @@ impl Converged {
                 last = f64::INFINITY;
             } else if error <= TOLERANCE || !helped {
                 // Where neither iterating on nor more speeds help, the elements are to blame.
-                drop(space);
+                drop(subspace);
                 return Ok((Self { elements, found, error }, shares));
             } else {
                 last = error;
@@ -173,7 +167,7 @@ impl Converged {
 
     /// How many piecewise functions the answer is made of.
     pub fn count(&self) -> usize {
-        self.elements.mesh.count() + usize::from(self.elements.root_turns())
+        self.elements.mesh.count() + usize::from(self.elements.root_rotates())
     }
 
     /// Estimate of the largest relative error of an eigenvalue; above [`TOLERANCE`] where that was
@@ -194,22 +188,22 @@ impl Converged {
 
     /// The functions themselves.
     pub fn functions(&self) -> PiecewiseFunctions {
-        let deformation = if self.elements.torsion { Deformation::Torsion } else { Deformation::Bending };
+        let deformation = self.elements.grid().deformation();
         let mesh = self.elements.mesh.clone();
-        PiecewiseFunctions::new(mesh, deformation, self.elements.root_turns(), self.found.coefficients.clone())
+        PiecewiseFunctions::new(mesh, deformation, self.elements.root_rotates(), self.found.coefficients.clone())
     }
 }
 
 /// Rounds of inverse iteration at Ω² = `s`, until what they add is less than `settled` of the modes.
-fn iterate(space: &mut Space, chain: &Chain, s: f64, count: usize, settled: f64) -> Result<(), EigenError> {
+fn iterate(subspace: &mut Subspace, factor: &Factor, s: f64, count: usize, settled: f64) -> Result<(), EigenError> {
     for _ in 0..MOST_ITERATIONS {
-        let found = space.ritz(s, count)?;
+        let found = subspace.ritz(s, count)?;
         let mut new = 0.0_f64;
         for (q, value) in found.vectors.column_iter().zip(&found.values) {
             // A rigid mode is exact.
             if *value > 0.0 {
-                let motion = space.motion(q.as_slice());
-                new = new.max(space.push_response(chain, &motion));
+                let displacement = subspace.displacement(q.as_slice());
+                new = new.max(subspace.push_response(factor, &displacement));
             }
         }
         if new < settled {
@@ -217,125 +211,6 @@ fn iterate(space: &mut Space, chain: &Chain, s: f64, count: usize, settled: f64)
         }
     }
     Ok(())
-}
-
-impl Reduced {
-    /// The span of the modes at these Ω².
-    fn new(
-        elements: &Elements,
-        space: &Space,
-        anchors: impl Iterator<Item = f64>,
-        count: usize,
-    ) -> Result<Self, EigenError> {
-        let rigid = usize::from(elements.root_turns());
-        let mut out: Vec<Vec<f64>> = Vec::new();
-        for s in anchors {
-            for q in space.ritz(s, count)?.vectors.column_iter() {
-                add_direction(&mut out, q.as_slice()[rigid..].to_vec());
-            }
-        }
-        let clamped = DMatrix::from_fn(space.len() - rigid, out.len(), |i, j| out[j][i]);
-        let mut all = DMatrix::zeros(space.len(), out.len() + rigid);
-        all.view_mut((rigid, rigid), clamped.shape()).copy_from(&clamped);
-        if rigid == 1 {
-            all[(0, 0)] = 1.0;
-        }
-        let matrices = assemble(elements.grid(), space.energies(), rigid == 1).reduced(&all);
-        Ok(Self { coefficients: space.coefficients(&clamped), matrices })
-    }
-
-    /// The largest relative error of an eigenvalue at Ω² = `s`; raises the share of each element to
-    /// the largest error that it is to blame for.
-    fn check(
-        &self,
-        elements: &Elements,
-        s: f64,
-        count: usize,
-        from_tip: &FromTip,
-        shares: &mut [f64],
-    ) -> Result<f64, EigenError> {
-        let grid = elements.fine_grid();
-        let shift = if grid.dof() == Dof::Lag { s } else { 0.0 };
-        let g = self.matrices.stiffness() + self.matrices.centrifugal() * s + self.matrices.mass() * shift;
-        let found = lowest(&g, self.matrices.mass(), count)?;
-        let rigid = found.values.iter().take_while(|value| **value == 0.0).count();
-        let gaps = moment_gaps(grid, from_tip, &self.fields(elements, &found.vectors), &found.values, rigid, s);
-        let energies = gaps.energies(grid);
-        let mut error = 0.0_f64;
-        for (mode, value) in found.values.iter().enumerate().skip(rigid) {
-            error = error.max(energies[(mode, mode)] * value);
-            let column = gaps.moment.column(mode);
-            for (cell, share) in grid.cells().iter().zip(shares.iter_mut()) {
-                let own: f64 =
-                    cell.points.clone().map(|k| grid.weight()[k] * column[k] * column[k] / grid.stiffness()[k]).sum();
-                *share = share.max(own * value);
-            }
-        }
-        Ok(error)
-    }
-
-    /// What sums of the functions that came out (columns of `coordinates`) do along the span.
-    fn fields(&self, elements: &Elements, coordinates: &DMatrix<f64>) -> Fields {
-        let rigid = usize::from(elements.root_turns());
-        let points = elements.fine_grid().len();
-        let n = coordinates.ncols();
-        let mut fields = Fields {
-            motion: DMatrix::zeros(points, n),
-            turn: DMatrix::zeros(points, n),
-            strain: DMatrix::zeros(points, n),
-            root_turn: vec![0.0; n],
-        };
-        let rigid_motion = elements.fine_grid().rigid_motion();
-        for (column, q) in coordinates.column_iter().enumerate() {
-            let sum = &self.coefficients * q.rows(rigid, q.nrows() - rigid);
-            let vector = elements.fields(sum.as_slice());
-            let root_turn = if rigid == 1 { q[0] } else { 0.0 };
-            fields.root_turn[column] = root_turn;
-            let at = column * points..(column + 1) * points;
-            for ((out, clamped), x) in
-                fields.motion.as_mut_slice()[at.clone()].iter_mut().zip(&vector.motion).zip(&rigid_motion)
-            {
-                *out = clamped + root_turn * x;
-            }
-            for (out, clamped) in fields.turn.as_mut_slice()[at.clone()].iter_mut().zip(&vector.turn) {
-                *out = clamped + root_turn;
-            }
-            fields.strain.as_mut_slice()[at].copy_from_slice(&vector.strain);
-        }
-        fields
-    }
-}
-
-/// Adds what a direction has beside those there are, at unit length.
-fn add_direction(out: &mut Vec<Vec<f64>>, mut direction: Vec<f64>) {
-    let length = |v: &[f64]| sqrt(v.iter().map(|v| v * v).sum());
-    let before = length(&direction);
-    for _ in 0..2 {
-        for known in out.iter() {
-            let along: f64 = known.iter().zip(&direction).map(|(a, b)| a * b).sum();
-            direction.iter_mut().zip(known).for_each(|(v, k)| *v -= along * k);
-        }
-    }
-    let after = length(&direction);
-    if after > NOTHING_NEW * before {
-        out.push(direction.into_iter().map(|v| v / after).collect());
-    }
-}
-
-/// Raises the orders of the elements that are to blame; false where nothing is left to raise.
-fn raise(layout: &mut Layout, shares: &[f64]) -> bool {
-    let fair = 0.1 * TOLERANCE / shares.len() as f64;
-    let mut raised = false;
-    for (order, share) in layout.orders.iter_mut().zip(shares) {
-        if *share > fair && *order < MOST_ORDER {
-            // Each order more takes off a factor of ten or so, fewer where the strain turns fast.
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to some tens")]
-            let more = ceil(ln(*share / fair) / 4.0).clamp(1.0, 8.0) as usize;
-            *order = (*order + more).min(MOST_ORDER);
-            raised = true;
-        }
-    }
-    raised
 }
 
 #[cfg(test)]

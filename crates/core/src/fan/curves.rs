@@ -94,7 +94,7 @@ impl Curves {
     /// # Errors
     /// [`SolveError`].
     pub fn fit(matrices: &SystemMatrices, at_rest: &[Mode], from: f64, to: f64) -> Result<Self, SolveError> {
-        let rigid = matrices.has_rigid_motion();
+        let rigid = !matrices.rigid().is_empty();
         let scale = Scale::new(at_rest, to);
         let row = |t: f64| row(matrices, at_rest, scale.speed_squared(t), rigid);
         let mut pieces = Vec::new();

@@ -3,10 +3,10 @@
 //! Methods, 1990). A blade is statically determinate, so the lower bounds come from the same
 //! functions by integrating their loads from the tip.
 
-use super::gap::{FromTip, moment_gaps};
-use super::grid::{Fields, Grid};
+use super::equilibrium::{FromTip, residual_moments};
+use super::fields::Fields;
+use super::grid::Grid;
 use crate::blade::RootCondition;
-use crate::dof::Dof;
 use crate::numerics::eigen::lowest;
 use crate::numerics::scalar::sqrt;
 use alloc::vec;
@@ -53,13 +53,13 @@ pub fn bounds(
     speed_squared: f64,
     slack: f64,
 ) -> Bounds {
-    // Lag is the flap-type problem of its stiffness less Ω².
-    let shift = if grid.dof() == Dof::Lag { speed_squared } else { 0.0 };
+    // Bounded is the problem without the centrifugal terms on displacements.
+    let shift = grid.system().shift(speed_squared);
     let values: Vec<f64> = ritz.iter().map(|value| value + shift).collect();
     let reference: Vec<f64> = reference.iter().map(|value| value + shift).collect();
     // A mode without any potential energy is known exactly and leaves the others to themselves.
     let rigid = values.iter().take_while(|value| **value == 0.0).count();
-    let energies = moment_gaps(grid, from_tip, fields, &values, rigid, speed_squared).energies(grid) * slack;
+    let energies = residual_moments(grid, from_tip, fields, &values, rigid, speed_squared).energies(grid) * slack;
     let separation = |n: usize| reference[n - 1] + SEPARATION * (reference[n] - reference[n - 1]);
     let bounded = (rigid + 1..=values.len().min(reference.len().saturating_sub(1)))
         .rev()
@@ -87,8 +87,8 @@ pub fn bounds(
 
 /// Lower bounds ρ s/(1 + s) of eigenvalues below ρ. With x = λ/ρ the matrices of the method,
 /// A0 − ρ A1 and A0 − 2ρ A1 + ρ² A2, become after scaling −diag(x/(1 − x)) and I + N,
-/// N_ij = √(λ_i λ_j) E_ij / ((1 − x_i)(1 − x_j)), with E the complementary energies of the gaps:
-/// nothing cancels, and where the gaps vanish so does the distance of the bounds. s = −t.
+/// N_ij = √(λ_i λ_j) E_ij / ((1 − x_i)(1 − x_j)), with E the complementary energies of the
+/// residual moments: nothing cancels, and where those vanish so does the distance of the bounds. s = −t.
 ///
 /// Modes that lie far below the rest come after them, with the lowest bound of the rest as their ρ.
 fn lower_bounds(values: &[f64], energies: &DMatrix<f64>, first: usize, separation: f64) -> Vec<f64> {
@@ -125,12 +125,12 @@ fn rounding(grid: &Grid, fields: &Fields, values: &[f64], speed_squared: f64) ->
         .iter()
         .enumerate()
         .map(|(mode, &value)| {
-            let mut potential = energy(&fields.strain, mode, grid.stiffness())
-                + speed_squared * energy(&fields.turn, mode, grid.pull());
+            let mut potential = energy(&fields.strain, mode, grid.elastic())
+                + speed_squared * energy(&fields.rotation, mode, grid.centrifugal());
             if let RootCondition::Spring(spring) = grid.condition() {
-                potential += spring * fields.root_turn[mode] * fields.root_turn[mode];
+                potential += spring * fields.root_rotation[mode] * fields.root_rotation[mode];
             }
-            let quotient = potential / energy(&fields.motion, mode, grid.inertia());
+            let quotient = potential / energy(&fields.displacement, mode, grid.inertia());
             ROUNDING * value + (quotient - value).abs()
         })
         .collect()

@@ -1,13 +1,71 @@
-//! Shapes and internal moments along the span, prepared so that a mode is only a weighted sum.
+//! Moments from equilibrium: a blade is statically determinate, so the moment that balances any load
+//! follows by integration from the free tip. It is the moment of a mode shape, and how far it is
+//! from the one that the strain gives says how good a mode is.
 
-use super::panels::segments;
-use crate::blade::{Blade, Tension};
+use super::fields::{Fields, gram};
+use super::grid::Grid;
+use crate::blade::{Blade, RootCondition};
 use crate::dof::Dof;
-use crate::functions::{AssumedFunctions, Sample};
-use crate::numerics::quadrature::{GaussRules, each_point};
+use crate::functions::{AssumedFunctions, Deformation, Sample};
+use crate::numerics::legendre::Outboard;
+use crate::numerics::quadrature::GaussRules;
 use alloc::vec;
 use alloc::vec::Vec;
 use nalgebra::DMatrix;
+
+/// Points beyond those that integrate products of waves: to integrate twice, the wave itself is to be
+/// interpolated.
+const POINTS_FOR_WAVES: usize = 8;
+
+/// Integration from the tip inward over the panels of a grid.
+#[derive(Clone, Debug)]
+pub struct FromTip {
+    /// By number of points.
+    rules: Vec<Option<Outboard>>,
+}
+
+impl FromTip {
+    /// For the panels of one grid.
+    pub fn new(grid: &Grid, rules: &GaussRules) -> Self {
+        let mut out: Vec<Option<Outboard>> = Vec::new();
+        for panel in grid.panels() {
+            let points = panel.points.len();
+            if out.len() <= points {
+                out.resize(points + 1, None);
+            }
+            out[points].get_or_insert_with(|| Outboard::new(rules.with_points(points)));
+        }
+        Self { rules: out }
+    }
+
+    /// ∫ f dr from each point to the tip, and from the root; f at the points of the grid.
+    fn integrate(&self, grid: &Grid, f: &[f64], out: &mut [f64]) -> f64 {
+        let mut outboard = 0.0;
+        for panel in grid.panels().iter().rev() {
+            let span = panel.points.clone();
+            if let Some(Some(rule)) = self.rules.get(span.len()) {
+                rule.integrate(&f[span.clone()], outboard, panel.half(), &mut out[span.clone()]);
+            }
+            outboard += over(grid, span, f);
+        }
+        outboard
+    }
+
+    /// The load on the rotation that the inertia of a displacement makes, per ω² and length: the
+    /// shear in bending, the torque per length in torsion. `scratch` is overwritten.
+    fn inertial_load(&self, grid: &Grid, displacement: &[f64], out: &mut [f64], scratch: &mut [f64]) {
+        out.iter_mut().zip(grid.inertia()).zip(displacement).for_each(|((out, j), u)| *out = j * u);
+        if grid.deformation() == Deformation::Bending {
+            self.integrate(grid, out, scratch);
+            out.copy_from_slice(scratch);
+        }
+    }
+}
+
+/// ∫ f dr over the points of one panel.
+fn over(grid: &Grid, points: core::ops::Range<usize>, f: &[f64]) -> f64 {
+    points.map(|k| grid.weight()[k] * f[k]).sum()
+}
 
 /// What every assumed function does at sampled radii. A mode Σ q_i φ_i with frequency ω at speed Ω
 /// has, row for row, displacement = value · q, slope = slope · q, and the moment that keeps its
@@ -16,6 +74,8 @@ use nalgebra::DMatrix;
 /// the moment to use: EI X″ and GJ θ′ of smooth functions jump where the stiffness steps.
 #[derive(Clone, Debug)]
 pub struct ShapeTables {
+    /// The degree of freedom.
+    pub dof: Dof,
     /// Radii [m], ascending, p of them.
     pub radii: Vec<f64>,
     /// φ (p × n); 0 inboard of the root.
@@ -29,6 +89,9 @@ pub struct ShapeTables {
 }
 
 /// Tabulates the functions of one degree of freedom at ascending `radii` [m].
+///
+/// Bending: M(r) = ∫ [ω² ∫ m X dξ − Ω² T X′] ds from r to R; in lag the centrifugal force's
+/// component in the disc adds Ω² m X to the load. Torsion: M_t(r) = ∫ (ω² ρI_p − Ω² m Y²) X ds.
 pub fn tabulate(
     blade: &Blade,
     dof: Dof,
@@ -38,95 +101,122 @@ pub fn tabulate(
 ) -> ShapeTables {
     let (n, p) = (functions.count(), radii.len());
     let root = blade.root(dof).offset;
-    let mut tables = ShapeTables {
-        radii: radii.to_vec(),
-        value: DMatrix::zeros(p, n),
-        slope: DMatrix::zeros(p, n),
-        inertial: DMatrix::zeros(p, n),
-        centrifugal: DMatrix::zeros(p, n),
-    };
+    let zeros = || DMatrix::zeros(p, n);
+    let (mut value, mut slope, mut inertial, mut centrifugal) = (zeros(), zeros(), zeros(), zeros());
     let mut samples = vec![Sample::default(); n];
-    for (row, &r) in radii.iter().enumerate().filter(|(_, r)| **r >= root) {
+    let outboard = radii.partition_point(|&r| r < root);
+    for (row, &r) in radii.iter().enumerate().skip(outboard) {
         functions.sample(r - root, &mut samples);
         for (column, sample) in samples.iter().enumerate() {
-            tables.value[(row, column)] = sample.value;
-            tables.slope[(row, column)] = sample.slope;
+            value[(row, column)] = sample.value;
+            slope[(row, column)] = sample.slope;
         }
     }
-    integrate_from_tip(blade, dof, functions, rules, &mut tables);
-    tables
+    // Panels end at the sampled radii, so that the moments there are whole sums.
+    let more = if functions.degree() > 0 { 0 } else { POINTS_FOR_WAVES };
+    let grid = Grid::for_functions(blade, dof, functions, rules, more, radii);
+    let fields = Fields::sample(&grid, functions);
+    let from_tip = FromTip::new(&grid, rules);
+    let shift = grid.system().shift(1.0);
+    let (mut load, mut scratch) = (vec![0.0; grid.len()], vec![0.0; grid.len()]);
+    for column in 0..n {
+        let (displacement, rotation) = (fields.displacement.column(column), fields.rotation.column(column));
+        from_tip.inertial_load(&grid, displacement.as_slice(), &mut load, &mut scratch);
+        scratch.iter_mut().zip(grid.centrifugal()).zip(rotation.iter()).for_each(|((out, p), t)| *out = p * t);
+        let (mut at_inertia, mut at_pull, mut row) = (0.0, 0.0, p);
+        let mut store = |down_to: f64, at_inertia: f64, at_pull: f64| {
+            while row > outboard && radii[row - 1] >= down_to {
+                row -= 1;
+                inertial[(row, column)] = at_inertia;
+                // Part of the load is Ω² times the inertial one, counted with the centrifugal moment.
+                centrifugal[(row, column)] = at_pull - shift * at_inertia;
+            }
+        };
+        for panel in grid.panels().iter().rev() {
+            store(panel.to, at_inertia, at_pull);
+            at_inertia += over(&grid, panel.points.clone(), &load);
+            at_pull += over(&grid, panel.points.clone(), &scratch);
+        }
+        store(root, at_inertia, at_pull);
+    }
+    ShapeTables { dof, radii: radii.to_vec(), value, slope, inertial, centrifugal }
 }
 
-/// Forces and moments of every function outboard of the point reached.
-struct Outboard {
-    /// ∫ m φ dr: shear per ω² (bending only).
-    shear: Vec<f64>,
-    /// Moment per ω².
-    inertial: Vec<f64>,
-    /// Moment per Ω².
-    centrifugal: Vec<f64>,
+/// Residual moments of some modes: what equilibrium demands less what their strain gives, per unit of
+/// ω²-fold displacement. Their complementary energy is the error of a mode, and with a number
+/// between two eigenvalues it makes lower bounds.
+#[derive(Clone, Debug)]
+pub struct ResidualMoments {
+    /// δ = μ − D e/λ at the points of the grid (points × modes), where μ is the moment that balances
+    /// J u − Ω² P t/λ outboard.
+    pub moment: DMatrix<f64>,
+    /// What the root adds to the complementary energy (modes × modes).
+    root: DMatrix<f64>,
 }
 
-/// Walks from the tip inwards, adding up loads; sampled radii are ends of segments.
-///
-/// Bending: M(r) = ∫ [ω² ∫ m X dξ − Ω² T X′] ds from r to R; in lag the centrifugal force's
-/// component in the disc adds Ω² m X to the load. Torsion: M_t(r) = ∫ (ω² ρI_p − Ω² m Y²) X ds.
-fn integrate_from_tip(
-    blade: &Blade,
-    dof: Dof,
-    functions: &dyn AssumedFunctions,
-    rules: &GaussRules,
-    tables: &mut ShapeTables,
-) {
-    let n = functions.count();
-    let root = blade.root(dof).offset;
-    let tension = Tension::new(blade.mass(), root, blade.radius());
-    let mut at = Outboard { shear: vec![0.0; n], inertial: vec![0.0; n], centrifugal: vec![0.0; n] };
-    let mut samples = vec![Sample::default(); n];
-    let mut next = tables.radii.len();
-    let store = |tables: &mut ShapeTables, row: usize, at: &Outboard| {
-        for column in 0..n {
-            // Lag: the load is (ω² + Ω²) m X, the second part counted with the centrifugal moment.
-            let in_disc = if dof == Dof::Lag { at.inertial[column] } else { 0.0 };
-            tables.inertial[(row, column)] = at.inertial[column];
-            tables.centrifugal[(row, column)] = at.centrifugal[column] - in_disc;
+/// The residual moments of modes with eigenvalues λ (of the problem without the shift of
+/// [`System::shift`](super::System::shift)) at Ω² = `speed_squared`; `fields` holds one column per
+/// mode. The first `rigid` modes have λ = 0 and none.
+pub fn residual_moments(
+    grid: &Grid,
+    from_tip: &FromTip,
+    fields: &Fields,
+    eigenvalues: &[f64],
+    rigid: usize,
+    speed_squared: f64,
+) -> ResidualMoments {
+    let (points, modes) = (grid.len(), eigenvalues.len());
+    let mut moment = DMatrix::zeros(points, modes);
+    let mut at_root = vec![0.0; modes];
+    let (mut load, mut sum) = (vec![0.0; points], vec![0.0; points]);
+    for (mode, &eigenvalue) in eigenvalues.iter().enumerate().skip(rigid) {
+        let column = mode * points..(mode + 1) * points;
+        let displacement = &fields.displacement.as_slice()[column.clone()];
+        let rotation = &fields.rotation.as_slice()[column.clone()];
+        let strain = &fields.strain.as_slice()[column.clone()];
+        from_tip.inertial_load(grid, displacement, &mut load, &mut sum);
+        let factor = speed_squared / eigenvalue;
+        load.iter_mut().zip(grid.centrifugal()).zip(rotation).for_each(|((load, p), t)| *load -= factor * p * t);
+        at_root[mode] = from_tip.integrate(grid, &load, &mut sum);
+        let out = &mut moment.as_mut_slice()[column];
+        for (((out, sum), d), e) in out.iter_mut().zip(&sum).zip(grid.elastic()).zip(strain) {
+            *out = sum - d * e / eigenvalue;
         }
-    };
-    let joints = functions.joints().iter().map(|x| root + x);
-    let ends: Vec<f64> = tables.radii.iter().copied().chain(joints).collect();
-    for segment in segments(blade, dof, &ends).iter().rev() {
-        while next > 0 && tables.radii[next - 1] >= segment.to {
-            next -= 1;
-            store(tables, next, &at);
+    }
+    let mut root = DMatrix::zeros(modes, modes);
+    match grid.condition() {
+        RootCondition::Clamped => {}
+        RootCondition::Spring(spring) => {
+            for ((left, rotation), eigenvalue) in
+                at_root.iter_mut().zip(&fields.root_rotation).zip(eigenvalues).skip(rigid)
+            {
+                *left -= spring * rotation / eigenvalue;
+            }
+            root = outer(&at_root, 1.0 / spring);
         }
-        let mass = segment.linear(blade.mass());
-        let inertia = segment.linear(blade.polar_inertia());
-        let offset = segment.linear(blade.mass_offset());
-        if dof != Dof::Torsion {
-            // The shear outboard of this segment acts over its whole length.
-            for (moment, shear) in at.inertial.iter_mut().zip(&at.shear) {
-                *moment += shear * (segment.to - segment.from);
+        RootCondition::Free => {
+            // No moment may reach a free root, and none does but for rounding: the rigid motion is
+            // one of the functions. What is left is taken off as the inertia of so much of it.
+            from_tip.inertial_load(grid, &grid.rigid_displacement(), &mut load, &mut sum);
+            let total = from_tip.integrate(grid, &load, &mut sum);
+            for (mode, left) in at_root.iter().enumerate().skip(rigid) {
+                let out = &mut moment.as_mut_slice()[mode * points..(mode + 1) * points];
+                out.iter_mut().zip(&sum).for_each(|(out, sum)| *out -= left / total * sum);
             }
         }
-        segment.panels(functions, rules, |a, b, rule| {
-            each_point(rule, a, b, |r, weight| {
-                functions.sample(r - root, &mut samples);
-                let m = weight * mass.at(r);
-                let (load, lever, pull) = if dof == Dof::Torsion {
-                    (weight * inertia.at(r), 1.0, m * offset.at(r) * offset.at(r))
-                } else {
-                    (m, r - segment.from, weight * tension.at(r))
-                };
-                for (i, f) in samples.iter().enumerate() {
-                    at.shear[i] += load * f.value;
-                    at.inertial[i] += load * lever * f.value;
-                    at.centrifugal[i] += pull * if dof == Dof::Torsion { f.value } else { f.slope };
-                }
-            });
-        });
     }
-    while next > 0 && tables.radii[next - 1] >= root {
-        next -= 1;
-        store(tables, next, &at);
+    ResidualMoments { moment, root }
+}
+
+impl ResidualMoments {
+    /// Complementary energies ∫ δ_i δ_j / D dr with what the root adds (modes × modes). The one on
+    /// the diagonal times λ is about the relative error of that λ.
+    pub fn energies(&self, grid: &Grid) -> DMatrix<f64> {
+        let compliance = grid.weight().iter().zip(grid.elastic()).map(|(weight, d)| weight / d);
+        gram(&self.moment, compliance) + &self.root
     }
+}
+
+fn outer(values: &[f64], factor: f64) -> DMatrix<f64> {
+    DMatrix::from_fn(values.len(), values.len(), |i, j| factor * values[i] * values[j])
 }

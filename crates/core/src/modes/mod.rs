@@ -3,5 +3,5 @@
 mod shapes;
 mod solve;
 
-pub use shapes::{Shape, orthogonality, shapes};
+pub use shapes::{Component, Shape, orthogonality, shapes};
 pub use solve::{Mode, SolveError, eigenvalues, solve};

@@ -1,11 +1,10 @@
 //! Elements and orders before anything is solved: from how fast a mode can turn.
 
-use crate::blade::{Blade, tension_inside};
+use crate::blade::{Blade, Section, Stretch, stretches};
 use crate::dof::Dof;
-use crate::functions::{MOST_ORDER, Mesh};
-use crate::lagrange::segments;
+use crate::functions::{Deformation, MOST_ORDER, Mesh};
+use crate::lagrange::{Energy, Field, Quantity, segments, system};
 use crate::numerics::scalar::{ceil, pow, sqrt};
-use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 
@@ -66,10 +65,10 @@ fn cuts(length: f64, slow: f64, fast: f64) -> Vec<(f64, f64)> {
 struct Piece {
     from: f64,
     length: f64,
-    /// Means of stiffness, inertia and pull per Ω².
-    stiffness: f64,
+    /// Means of the elastic weight, the inertia and the centrifugal weight per Ω².
+    elastic: f64,
     inertia: f64,
-    pull: f64,
+    centrifugal: f64,
     /// Largest over smallest stiffness.
     taper: f64,
 }
@@ -77,7 +76,7 @@ struct Piece {
 /// A layout on which the `count` lowest modes at Ω² = `speed_squared` should be converged.
 pub(super) fn first_layout(blade: &Blade, dof: Dof, speed_squared: f64, count: usize) -> Layout {
     let pieces = pieces(blade, dof);
-    let bending = dof != Dof::Torsion;
+    let bending = Deformation::of(dof) == Deformation::Bending;
     let highest = highest_eigenvalue(&pieces, bending, speed_squared, count);
     let mut layout = Layout { radii: Vec::new(), orders: Vec::new() };
     for piece in &pieces {
@@ -93,38 +92,28 @@ pub(super) fn first_layout(blade: &Blade, dof: Dof, speed_squared: f64, count: u
 
 /// Stretches with linear properties and little taper, root to tip.
 fn pieces(blade: &Blade, dof: Dof) -> Vec<Piece> {
-    let mut pieces = Vec::new();
-    let mut outboard = 0.0;
-    for segment in segments(blade, dof, &[]).iter().rev() {
-        let stiffness = segment.linear(blade.stiffness(dof));
-        let mass = segment.linear(blade.mass());
-        let inertia = segment.linear(if dof == Dof::Torsion { blade.polar_inertia() } else { blade.mass() });
-        let offset = segment.linear(blade.mass_offset());
-        let mut ends = vec![segment.from];
-        ends.extend(segment.taper_cuts(blade.stiffness(dof)));
-        ends.push(segment.to);
-        for ends in ends.windows(2).rev() {
-            let (from, to) = (ends[0], ends[1]);
-            let middle = 0.5 * (from + to);
-            let pull = if dof == Dof::Torsion {
-                mass.at(middle) * offset.at(middle) * offset.at(middle)
-            } else {
-                outboard + tension_inside(mass.at(middle), mass.at(to), middle, to)
-            };
-            let (inner, outer) = (stiffness.at(from), stiffness.at(to));
-            pieces.push(Piece {
-                from,
-                length: to - from,
-                stiffness: sqrt(inner) * sqrt(outer),
-                inertia: 0.5 * (inertia.at(from) + inertia.at(to)),
-                pull,
-                taper: inner.max(outer) / inner.min(outer),
-            });
-            outboard += tension_inside(mass.at(from), mass.at(to), from, to);
-        }
+    let mut ends = Vec::new();
+    for segment in segments(blade, dof, &[]) {
+        let cuts = segment.taper_cuts(blade.stiffness(dof)).chain([segment.to]);
+        ends.extend(cuts.scan(segment.from, |from, to| Some((core::mem::replace(from, to), to))));
     }
-    pieces.reverse();
-    pieces
+    let weight = |energy, quantity| system(dof).weight(energy, Field { dof, quantity });
+    let inertia = weight(Energy::Inertia, Quantity::Displacement);
+    let elastic = weight(Energy::Elastic, Quantity::Strain);
+    let centrifugal = weight(Energy::Centrifugal, Quantity::Rotation);
+    let piece = |stretch: &Stretch| {
+        let (from, to) = (stretch.from, stretch.to);
+        let (inner, outer): (Section, Section) = (stretch.section(from), stretch.section(to));
+        Piece {
+            from,
+            length: to - from,
+            elastic: sqrt(elastic(&inner)) * sqrt(elastic(&outer)),
+            inertia: 0.5 * (inertia(&inner) + inertia(&outer)),
+            centrifugal: centrifugal(&stretch.section(0.5 * (from + to))),
+            taper: elastic(&inner).max(elastic(&outer)) / elastic(&inner).min(elastic(&outer)),
+        }
+    };
+    stretches(blade, &ends).iter().map(piece).collect()
 }
 
 /// The rates [rad/m] at which a mode of eigenvalue λ oscillates and at which its fastest part turns.
@@ -132,7 +121,7 @@ fn pieces(blade: &Blade, dof: Dof) -> Vec<Piece> {
 /// Bending: EI k⁴ + Ω² T k² = λ m and EI κ⁴ − Ω² T κ² = λ m of the equation with constant
 /// coefficients; torsion: GJ k² = λ ρI − Ω² m Y².
 fn rates(piece: &Piece, bending: bool, speed_squared: f64, eigenvalue: f64) -> (f64, f64) {
-    let (pull, load) = (speed_squared * piece.pull / piece.stiffness, eigenvalue * piece.inertia / piece.stiffness);
+    let (pull, load) = (speed_squared * piece.centrifugal / piece.elastic, eigenvalue * piece.inertia / piece.elastic);
     if bending {
         let root = sqrt(pull * pull + 4.0 * load);
         // (root − pull)/2 without its cancellation.

@@ -25,12 +25,6 @@ pub(crate) struct Segment {
 }
 
 impl Segment {
-    /// The property at `r` inside this segment, from its limits at both ends.
-    pub(crate) fn linear(&self, property: &PiecewiseLinear) -> Linear {
-        let (inner, outer) = (property.limits(self.from).1, property.limits(self.to).0);
-        Linear { from: self.from, inner, slope: (outer - inner) / (self.to - self.from) }
-    }
-
     /// Radii inside the segment that cut it where a positive property has changed by [`TAPER`] or less.
     pub(crate) fn taper_cuts(&self, property: &PiecewiseLinear) -> impl Iterator<Item = f64> {
         let (from, length) = (self.from, self.to - self.from);
@@ -76,20 +70,6 @@ impl Segment {
             i += 1.0;
         }
         f(a, self.to, rule);
-    }
-}
-
-/// A property within one segment.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Linear {
-    from: f64,
-    inner: f64,
-    slope: f64,
-}
-
-impl Linear {
-    pub(crate) fn at(&self, r: f64) -> f64 {
-        self.inner + self.slope * (r - self.from)
     }
 }
 

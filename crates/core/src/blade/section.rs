@@ -1,0 +1,149 @@
+//! A blade section: every property at one radius, which is what the weight of a term sees.
+
+use super::Blade;
+use super::tension::tension_inside;
+use crate::dof::Dof;
+use crate::numerics::{Linear, PiecewiseLinear};
+use alloc::vec::Vec;
+
+/// All properties of a blade at one radius, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Section {
+    /// Radius r [m].
+    pub r: f64,
+    /// Mass per length m [kg/m].
+    pub mass: f64,
+    /// Bending and torsional stiffness by degree of freedom: `EI_flap`, `EI_lag`, GJ [N·m²].
+    pub stiffness: [f64; 3],
+    /// Polar mass moment of inertia per length ρI_p [kg·m].
+    pub polar_inertia: f64,
+    /// Mass centre ahead of the elastic axis Y [m].
+    pub mass_offset: f64,
+    /// Tension per Ω², T = ∫ m ρ dρ from r to R [kg·m].
+    pub tension: f64,
+}
+
+/// A stretch of the span within which every property is linear.
+#[derive(Clone, Copy, Debug)]
+pub struct Stretch {
+    /// Inner end [m].
+    pub from: f64,
+    /// Outer end [m].
+    pub to: f64,
+    mass: Linear,
+    stiffness: [Linear; 3],
+    polar_inertia: Linear,
+    mass_offset: Linear,
+    /// Tension per Ω² at the outer end [kg·m].
+    outboard: f64,
+}
+
+impl Stretch {
+    fn new(blade: &Blade, (from, to): (f64, f64), outboard: f64) -> Self {
+        let linear = |property: &PiecewiseLinear| property.between(from, to);
+        Self {
+            from,
+            to,
+            mass: linear(blade.mass()),
+            stiffness: Dof::ALL.map(|dof| linear(blade.stiffness(dof))),
+            polar_inertia: linear(blade.polar_inertia()),
+            mass_offset: linear(blade.mass_offset()),
+            outboard,
+        }
+    }
+
+    /// The section at `r` inside the stretch, from the limits of every property at both ends. The
+    /// tension is summed from the stretch's own outer end: a difference of primitives in r would
+    /// lose (r/length)² of its digits on a short stretch.
+    pub fn section(&self, r: f64) -> Section {
+        let mass = self.mass.at(r);
+        Section {
+            r,
+            mass,
+            stiffness: self.stiffness.map(|stiffness| stiffness.at(r)),
+            polar_inertia: self.polar_inertia.at(r),
+            mass_offset: self.mass_offset.at(r),
+            tension: self.outboard + tension_inside(mass, self.mass.at(self.to), r, self.to),
+        }
+    }
+
+    /// Tension per Ω² at the inner end [kg·m].
+    fn inboard(&self) -> f64 {
+        self.outboard + tension_inside(self.mass.at(self.from), self.mass.at(self.to), self.from, self.to)
+    }
+}
+
+/// The stretches between `ends`, given as (from, to) from the root to the tip without gaps; none
+/// may straddle a station.
+pub fn stretches(blade: &Blade, ends: &[(f64, f64)]) -> Vec<Stretch> {
+    let mut outboard = 0.0;
+    let mut found: Vec<Stretch> = ends
+        .iter()
+        .rev()
+        .map(|&ends| {
+            let stretch = Stretch::new(blade, ends, outboard);
+            outboard = stretch.inboard();
+            stretch
+        })
+        .collect();
+    found.reverse();
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blade::RotorDefinition;
+    use crate::blade::{BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, check};
+    use alloc::vec;
+
+    /// m = 2 up to r = 1, then 3 − r up to 2.
+    fn tapered() -> Blade {
+        let root = |kind| Some(RootDefinition { root: Some(kind), ..RootDefinition::default() });
+        let one = || Some(PropertyDefinition::Uniform(1.0));
+        let mass = PropertyDefinition::OwnRadii { r: vec![0.0, 1.0, 1.0, 2.0], values: vec![2.0, 2.0, 2.0, 1.0] };
+        let offset = PropertyDefinition::OwnRadii { r: vec![0.0, 2.0], values: vec![0.0, 0.2] };
+        check(&BladeDefinition {
+            name: Some("tapered".into()),
+            rotor: Some(RotorDefinition { radius: Some(2.0), nominal_speed: Some(1.0), blades: None }),
+            flap: root(RootKind::Hingeless),
+            lag: root(RootKind::Hingeless),
+            torsion: root(RootKind::Rigid),
+            distribution: Some(DistributionDefinition {
+                mass: Some(mass),
+                flap_stiffness: one(),
+                lag_stiffness: one(),
+                torsion_stiffness: one(),
+                polar_inertia: one(),
+                mass_offset: Some(offset),
+                ..DistributionDefinition::default()
+            }),
+            ..BladeDefinition::default()
+        })
+        .unwrap()
+    }
+
+    #[test]
+    fn tension_of_a_stepped_tapered_mass_is_exact() {
+        // T(1) = ∫(3r − r²) from 1 to 2 = 4.5 − 7/3, T(0) = T(1) + 1.
+        let blade = tapered();
+        let found = stretches(&blade, &[(0.0, 1.0), (1.0, 1.5), (1.5, 2.0)]);
+        let outer = 4.5 - 7.0 / 3.0;
+        let exact = 1.5 * (4.0 - 2.25) - (8.0 - 3.375) / 3.0;
+        for (stretch, r, tension) in
+            [(0, 1.0, outer), (1, 1.0, outer), (0, 0.0, outer + 1.0), (1, 1.5, exact), (2, 1.5, exact), (2, 2.0, 0.0)]
+        {
+            let section = found[stretch].section(r);
+            assert!((section.tension - tension).abs() < 1e-15, "{r}: {} {tension}", section.tension);
+        }
+    }
+
+    #[test]
+    fn a_section_has_the_limits_of_its_own_stretch() {
+        let found = stretches(&tapered(), &[(0.0, 1.0), (1.0, 2.0)]);
+        assert_eq!(found[0].section(1.0).mass, 2.0);
+        assert_eq!(found[1].section(1.5).mass, 1.5);
+        assert!((found[1].section(1.5).mass_offset - 0.15).abs() < 1e-16);
+        assert_eq!(found[1].section(1.5).stiffness, [1.0; 3]);
+    }
+}
