@@ -1,9 +1,9 @@
 //! Frequency against the number of assumed functions.
 
-use super::basis::{Basis, Classical, converged, solve};
-use super::{Settings, available, label, none, note, unsolvable};
+use super::basis::{Basis, Classical, converged, separated, solve};
+use super::{Settings, available, label, none, note, note_bounds, note_fewer, unsolvable};
 use crate::blade::Blade;
-use crate::converged::{Converged, TOLERANCE};
+use crate::converged::{Converged, TOLERANCE, Wanted};
 use crate::dof::Dof;
 use crate::fault::Fault;
 use crate::functions::MOST_ORDER;
@@ -45,20 +45,25 @@ pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Ve
             }
         }
         let steps = piecewise_steps(blade, dof, speed, settings.modes, &rules)?;
-        let found = converged(blade, dof, (square, square), settings.modes + 1, &rules)?;
+        let found = converged(blade, dof, &Wanted::at(square, settings.modes + 1), &rules)?;
         let reference = solve(found.matrices(), speed, settings.modes + 1)?;
         let error = found.error();
+        let separation = separated(&found, &reference);
         let solved = reference.get(..settings.modes).unwrap_or(&reference);
-        let bounds = Basis::Piecewise(Box::new(found)).bounds(solved, &reference, square, &rules);
+        let bounds = Basis::Piecewise(Box::new(found)).bounds(solved, &separation, square, &rules);
+        let interval = |index: usize| bounds.as_ref().and_then(|bounds| bounds.intervals.get(index));
+        let better = |index: usize| bounds.as_ref().and_then(|bounds| bounds.eigenvalues.get(index));
+        note_bounds(&mut report.warnings, dof, bounds.is_some());
+        note_fewer(&mut report.warnings, dof, solved.len(), settings.modes);
         note(&mut report.warnings, dof, error);
         report.series.extend(values.into_iter().enumerate().map(|(index, classical_rad_s)| ConvergeSeries {
             label: label(dof, index + 1),
             dof,
             number: index + 1,
             classical_rad_s,
-            converged_rad_s: solved.get(index).map(|mode| mode.frequency),
-            lower_rad_s: bounds.intervals.get(index).map(|interval| sqrt(interval.lower)),
-            upper_rad_s: bounds.intervals.get(index).map(|interval| sqrt(interval.upper)),
+            converged_rad_s: solved.get(index).map(|mode| better(index).map_or(mode.frequency, |value| sqrt(*value))),
+            lower_rad_s: interval(index).map(|interval| sqrt(interval.lower)),
+            upper_rad_s: interval(index).map(|interval| sqrt(interval.upper)),
             piecewise_functions: steps.iter().map(|(count, _)| *count).collect(),
             piecewise_rad_s: steps.iter().map(|(_, modes)| modes.get(index).map(|mode| mode.frequency)).collect(),
         }));

@@ -3,6 +3,7 @@
 use super::basis::{Basis, solve};
 use super::{Settings, label, margin, none, note, unsolvable};
 use crate::blade::Blade;
+use crate::converged::Wanted;
 use crate::fan::{Curves, meet_rays};
 use crate::fault::Fault;
 use crate::numerics::quadrature::GaussRules;
@@ -37,7 +38,8 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Vec<Fault>> {
     };
     for dof in settings.ordered_dofs() {
         // From rest, where the Southwell coefficients are taken, past nominal speed.
-        let basis = Basis::new(blade, dof, settings, (0.0, highest * highest), settings.modes, &rules)?;
+        let wanted = Wanted { range: (0.0, highest * highest), count: settings.modes, also_at: &[] };
+        let basis = Basis::new(blade, dof, settings, &wanted, &rules)?;
         chart.basis.functions.set(dof, basis.count());
         note(&mut chart.warnings, dof, basis.error());
         let matrices = basis.matrices();

@@ -67,6 +67,25 @@ fn note(warnings: &mut Vec<Warning>, dof: Dof, error: f64) {
     }
 }
 
+/// Says so where a degree of freedom has no bounds, and why.
+fn note_bounds(warnings: &mut Vec<Warning>, dof: Dof, bounded: bool) {
+    if !bounded {
+        let message = format!(
+            "{dof} frequencies have no bounds: counting the modes along the blade does not confirm that none was missed"
+        );
+        warnings.push(Warning { path: dof.name().to_string(), message });
+    }
+}
+
+/// Says so where there are fewer modes than asked for.
+fn note_fewer(warnings: &mut Vec<Warning>, dof: Dof, found: usize, asked: usize) {
+    if found < asked {
+        let message =
+            format!("only {found} of {asked} {dof} modes can be told from rounding: mass or stiffness varies too much");
+        warnings.push(Warning { path: dof.name().to_string(), message });
+    }
+}
+
 /// `1F`, `2L`, …
 fn label(dof: Dof, number: usize) -> String {
     format!("{number}{}", dof.letter())

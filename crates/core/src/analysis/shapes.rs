@@ -1,8 +1,9 @@
 //! Mode shapes along the span.
 
 use super::basis::{Basis, solve};
-use super::{Settings, ShapeScale, label, none, note};
+use super::{Settings, ShapeScale, label, none, note, note_fewer};
 use crate::blade::Blade;
+use crate::converged::Wanted;
 use crate::dof::Dof;
 use crate::fault::Fault;
 use crate::lagrange::{tabulate, torsion_norm};
@@ -35,10 +36,11 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Vec<Fa
         warnings: blade.warnings().to_vec(),
     };
     for dof in settings.ordered_dofs() {
-        let basis = Basis::new(blade, dof, settings, (speed * speed, speed * speed), settings.modes, &rules)?;
+        let basis = Basis::new(blade, dof, settings, &Wanted::at(speed * speed, settings.modes), &rules)?;
         report.basis.functions.set(dof, basis.count());
         note(&mut report.warnings, dof, basis.error());
         let solved = solve(basis.matrices(), speed, settings.modes)?;
+        note_fewer(&mut report.warnings, dof, solved.len(), settings.modes);
         let mass = basis.matrices().mass().clone();
         let orthogonality = modes::orthogonality(&mass, &solved);
         let functions = basis.into_functions();

@@ -15,5 +15,5 @@ pub use definition::{
     BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Source,
 };
 pub use model::{Blade, Root, RootCondition};
-pub use section::{Section, Stretch, stretches};
+pub use section::{Place, Section, Stretch, stretches};
 pub use tension::moments;

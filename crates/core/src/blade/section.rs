@@ -23,7 +23,7 @@ pub struct Section {
     pub tension: f64,
 }
 
-/// A stretch of the span within which every property is linear.
+/// A part of the span within which every property is linear.
 #[derive(Clone, Copy, Debug)]
 pub struct Stretch {
     /// Inner end [m].
@@ -34,16 +34,37 @@ pub struct Stretch {
     stiffness: [Linear; 3],
     polar_inertia: Linear,
     mass_offset: Linear,
+    /// The mass between the stretch's own ends, which its tension is summed from.
+    own_mass: Linear,
     /// Tension per Ω² at the outer end [kg·m].
     outboard: f64,
 }
 
+/// Where a stretch lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// Its ends [m].
+    pub ends: (f64, f64),
+    /// Ends of the segment between stations that it is a part of, from whose limits every property is
+    /// interpolated.
+    pub segment: (f64, f64),
+}
+
+impl Place {
+    /// A whole segment.
+    pub const fn whole(from: f64, to: f64) -> Self {
+        Self { ends: (from, to), segment: (from, to) }
+    }
+}
+
 impl Stretch {
-    fn new(blade: &Blade, (from, to): (f64, f64), outboard: f64) -> Self {
-        let linear = |property: &PiecewiseLinear| property.between(from, to);
+    fn new(blade: &Blade, place: Place, outboard: f64) -> Self {
+        let linear = |property: &PiecewiseLinear| property.between(place.segment.0, place.segment.1);
+        let (from, to) = place.ends;
         Self {
             from,
             to,
+            own_mass: blade.mass().between(from, to),
             mass: linear(blade.mass()),
             stiffness: Dof::ALL.map(|dof| linear(blade.stiffness(dof))),
             polar_inertia: linear(blade.polar_inertia()),
@@ -56,32 +77,31 @@ impl Stretch {
     /// tension is summed from the stretch's own outer end: a difference of primitives in r would
     /// lose (r/length)² of its digits on a short stretch.
     pub fn section(&self, r: f64) -> Section {
-        let mass = self.mass.at(r);
         Section {
             r,
-            mass,
+            mass: self.mass.at(r),
             stiffness: self.stiffness.map(|stiffness| stiffness.at(r)),
             polar_inertia: self.polar_inertia.at(r),
             mass_offset: self.mass_offset.at(r),
-            tension: self.outboard + tension_inside(mass, self.mass.at(self.to), r, self.to),
+            tension: self.outboard + tension_inside(self.own_mass.at(r), self.own_mass.at(self.to), r, self.to),
         }
     }
 
     /// Tension per Ω² at the inner end [kg·m].
     fn inboard(&self) -> f64 {
-        self.outboard + tension_inside(self.mass.at(self.from), self.mass.at(self.to), self.from, self.to)
+        let (inner, outer) = (self.own_mass.at(self.from), self.own_mass.at(self.to));
+        self.outboard + tension_inside(inner, outer, self.from, self.to)
     }
 }
 
-/// The stretches between `ends`, given as (from, to) from the root to the tip without gaps; none
-/// may straddle a station.
-pub fn stretches(blade: &Blade, ends: &[(f64, f64)]) -> Vec<Stretch> {
+/// The stretches at `places`, from the root to the tip without gaps; none may straddle a station.
+pub fn stretches(blade: &Blade, places: &[Place]) -> Vec<Stretch> {
     let mut outboard = 0.0;
-    let mut found: Vec<Stretch> = ends
+    let mut found: Vec<Stretch> = places
         .iter()
         .rev()
-        .map(|&ends| {
-            let stretch = Stretch::new(blade, ends, outboard);
+        .map(|&place| {
+            let stretch = Stretch::new(blade, place, outboard);
             outboard = stretch.inboard();
             stretch
         })
@@ -127,7 +147,10 @@ mod tests {
     fn tension_of_a_stepped_tapered_mass_is_exact() {
         // T(1) = ∫(3r − r²) from 1 to 2 = 4.5 − 7/3, T(0) = T(1) + 1.
         let blade = tapered();
-        let found = stretches(&blade, &[(0.0, 1.0), (1.0, 1.5), (1.5, 2.0)]);
+        let found = stretches(
+            &blade,
+            &[Place::whole(0.0, 1.0), Place { ends: (1.0, 1.5), segment: (1.0, 2.0) }, Place::whole(1.5, 2.0)],
+        );
         let outer = 4.5 - 7.0 / 3.0;
         let exact = 1.5 * (4.0 - 2.25) - (8.0 - 3.375) / 3.0;
         for (stretch, r, tension) in
@@ -140,7 +163,7 @@ mod tests {
 
     #[test]
     fn a_section_has_the_limits_of_its_own_stretch() {
-        let found = stretches(&tapered(), &[(0.0, 1.0), (1.0, 2.0)]);
+        let found = stretches(&tapered(), &[Place::whole(0.0, 1.0), Place::whole(1.0, 2.0)]);
         assert_eq!(found[0].section(1.0).mass, 2.0);
         assert_eq!(found[1].section(1.5).mass, 1.5);
         assert!((found[1].section(1.5).mass_offset - 0.15).abs() < 1e-16);

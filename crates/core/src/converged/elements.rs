@@ -2,10 +2,10 @@
 //! and the operations of inverse iteration in time proportional to the number of elements.
 
 use super::layout::Layout;
-use crate::blade::{Blade, RootCondition};
+use crate::blade::{Blade, Place, RootCondition};
 use crate::dof::Dof;
 use crate::functions::{Deformation, Mesh};
-use crate::lagrange::Grid;
+use crate::lagrange::{Grid, Panel};
 use crate::numerics::legendre::Tables;
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::recursion::{Link, Recursion};
@@ -47,6 +47,24 @@ struct Points {
     grid: Grid,
     /// What the polynomials are there, by order.
     tables: Vec<Option<Tables>>,
+}
+
+/// One element by itself.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Local<'a> {
+    /// Half its length [m].
+    pub(super) half: f64,
+    /// The polynomials at its points.
+    pub(super) table: &'a Tables,
+    /// Quadrature weights and inertia at its points.
+    pub(super) weight: &'a [f64],
+    pub(super) inertia: &'a [f64],
+    /// Strain energy (lower triangle, neighbours alone) and centrifugal energy per Ω² of its polynomials.
+    pub(super) elastic: &'a [f64],
+    pub(super) centrifugal: &'a [f64],
+    /// Centrifugal energy between its polynomials and a unit rotation, and of the rotation itself.
+    pub(super) coupling: &'a [f64],
+    pub(super) own: f64,
 }
 
 /// The fields of a clamped function at the points of the fine grid.
@@ -279,6 +297,27 @@ impl Elements {
         Vector { displacement, rotation, strain }
     }
 
+    /// Every element by itself, root to tip.
+    pub(super) fn locals(&self) -> Vec<Local<'_>> {
+        let (mut first, mut start) = (0, 0);
+        let one = |((panel, &order), &own): ((&Panel, &usize), &f64)| {
+            let (matrix, row) = (start..start + order * order, first..first + order);
+            first += order;
+            start += order * order;
+            Local {
+                half: panel.half(),
+                table: self.coarse.table(order),
+                weight: &self.grid().weight()[panel.points.clone()],
+                inertia: &self.grid().inertia()[panel.points.clone()],
+                elastic: &self.elastic[matrix.clone()],
+                centrifugal: &self.centrifugal[matrix],
+                coupling: &self.coupling[row],
+                own,
+            }
+        };
+        self.grid().panels().iter().zip(self.mesh.orders()).zip(&self.own).map(one).collect()
+    }
+
     /// Visits the elements from root to tip.
     fn for_elements(&self, at: &Points, coefficients: &[f64], mut visit: impl FnMut(&State)) {
         let (mut rotation, mut displacement, mut first) = (0.0, 0.0, 0);
@@ -309,7 +348,7 @@ impl Points {
     /// So many per element beyond its order.
     fn new(blade: &Blade, dof: Dof, layout: &Layout, more: usize, rules: &GaussRules) -> Self {
         let ends = layout.radii.windows(2).zip(&layout.orders);
-        let panels = ends.map(|(ends, order)| (ends[0], ends[1], order + more));
+        let panels = ends.map(|(ends, order)| (Place::whole(ends[0], ends[1]), order + more));
         let grid = Grid::for_panels(blade, dof, panels, rules);
         let mut tables: Vec<Option<Tables>> = Vec::new();
         for &order in &layout.orders {

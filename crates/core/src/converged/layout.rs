@@ -1,9 +1,9 @@
 //! Elements and orders before anything is solved: from how fast a mode can turn.
 
-use crate::blade::{Blade, Section, Stretch, stretches};
+use crate::blade::{Blade, Place, Section, Stretch, stretches};
 use crate::dof::Dof;
 use crate::functions::{Deformation, MOST_ORDER, Mesh};
-use crate::lagrange::{Energy, Field, Quantity, segments, system};
+use crate::lagrange::{Energy, Field, Quantity, segments, system, taper_cuts};
 use crate::numerics::scalar::{ceil, pow, sqrt};
 use alloc::vec::Vec;
 use core::f64::consts::PI;
@@ -15,7 +15,14 @@ const LAYERED: f64 = 4.0 * PHASE;
 /// Phase of an element that lies beyond the boundary layers but is as long as its distance to one.
 const BESIDE: f64 = 2.5;
 /// Most elements of a stretch; beyond it phases grow and the estimate tells how good the answer is.
-const MOST_PARTS: f64 = 400.0;
+const MOST_PARTS: usize = 400;
+/// Most elements in all, but for one per stretch between stations: what a solve costs is
+/// proportional to them.
+const MOST_ELEMENTS: usize = 2000;
+/// Most polynomials in all; a strain that needs more is not converged, and said to be so.
+pub(super) const MOST_UNKNOWNS: usize = 30_000;
+/// A layer thinner than this part of a stretch is beyond what numbers of 53 bits resolve there.
+const THINNEST: f64 = 1e-9;
 /// Part of a strain that the first orders may leave out; the eigenvalue's error is its square.
 const TRUNCATION: f64 = 2e-5;
 
@@ -29,6 +36,11 @@ pub(super) struct Layout {
 }
 
 impl Layout {
+    /// Polynomials in all.
+    pub(super) fn unknowns(&self) -> usize {
+        self.orders.iter().sum()
+    }
+
     /// As a mesh of x from the root.
     pub(super) fn mesh(&self) -> Mesh {
         let root = self.radii.first().copied().unwrap_or(0.0);
@@ -40,13 +52,17 @@ impl Layout {
 ///
 /// Under high tension a mode is a string's, but for boundary layers at the ends of the stretch that
 /// decay like e^(−fast·x): elements that double in length towards the middle follow both.
-fn cuts(length: f64, slow: f64, fast: f64) -> Vec<(f64, f64)> {
+///
+/// No more than `most` elements at an even length, and a layer of [`THINNEST`] at the thinnest.
+fn cuts(length: f64, slow: f64, fast: f64, most: usize) -> Vec<(f64, f64)> {
+    let fast = fast.min(PHASE / (THINNEST * length));
+    let slow = slow.min(fast);
     if fast * length <= LAYERED || slow > 0.5 * fast {
-        let parts = ceil(fast * length / PHASE).clamp(1.0, MOST_PARTS);
-        let part = |i: u16| (length * (f64::from(i) / parts), fast * length / parts);
-        return (0..=400_u16).take_while(|&i| f64::from(i) < parts).map(part).collect();
+        let parts = ceil(fast * length / PHASE).clamp(1.0, most as f64);
+        let part = |i: usize| (length * (i as f64 / parts), fast * length / parts);
+        return (0..most).take_while(|&i| (i as f64) < parts).map(part).collect();
     }
-    let longest = (PHASE / slow).max(length / MOST_PARTS);
+    let longest = (PHASE / slow).max(length / most as f64);
     let mut inner = Vec::new();
     let (mut x, mut step) = (0.0, PHASE / fast);
     while x + step < 0.5 * length {
@@ -79,24 +95,26 @@ pub(super) fn first_layout(blade: &Blade, dof: Dof, speed_squared: f64, count: u
     let bending = Deformation::of(dof) == Deformation::Bending;
     let highest = highest_eigenvalue(&pieces, bending, speed_squared, count);
     let mut layout = Layout { radii: Vec::new(), orders: Vec::new() };
+    let most = (MOST_ELEMENTS / pieces.len()).clamp(1, MOST_PARTS);
     for piece in &pieces {
         let (slow, fast) = rates(piece, bending, speed_squared, highest);
-        for (x, phase) in cuts(piece.length, slow, fast) {
+        for (x, phase) in cuts(piece.length, slow, fast, most) {
             layout.radii.push(piece.from + x);
             layout.orders.push(order(phase, piece.taper));
         }
     }
     layout.radii.push(blade.radius());
+    let highest = (MOST_UNKNOWNS / layout.orders.len()).max(2);
+    for order in &mut layout.orders {
+        *order = (*order).min(highest);
+    }
     layout
 }
 
 /// Stretches with linear properties and little taper, root to tip.
 fn pieces(blade: &Blade, dof: Dof) -> Vec<Piece> {
-    let mut ends = Vec::new();
-    for segment in segments(blade, dof, &[]) {
-        let cuts = segment.taper_cuts(blade.stiffness(dof)).chain([segment.to]);
-        ends.extend(cuts.scan(segment.from, |from, to| Some((core::mem::replace(from, to), to))));
-    }
+    let cut = segments(blade, dof, &taper_cuts(blade, dof));
+    let places: Vec<Place> = cut.iter().map(|segment| Place::whole(segment.from, segment.to)).collect();
     let weight = |energy, quantity| system(dof).weight(energy, Field { dof, quantity });
     let inertia = weight(Energy::Inertia, Quantity::Displacement);
     let elastic = weight(Energy::Elastic, Quantity::Strain);
@@ -113,7 +131,7 @@ fn pieces(blade: &Blade, dof: Dof) -> Vec<Piece> {
             taper: elastic(&inner).max(elastic(&outer)) / elastic(&inner).min(elastic(&outer)),
         }
     };
-    stretches(blade, &ends).iter().map(piece).collect()
+    stretches(blade, &places).iter().map(piece).collect()
 }
 
 /// The rates [rad/m] at which a mode of eigenvalue λ oscillates and at which its fastest part turns.

@@ -5,6 +5,7 @@
 //! speeds lie to far below the tolerance; so a few functions come out, with matrices like those of
 //! any others. How good they are is measured by how far their modes are from equilibrium.
 
+mod count;
 mod elements;
 mod layout;
 mod reduced;
@@ -13,8 +14,8 @@ mod subspace;
 
 use crate::blade::Blade;
 use crate::dof::Dof;
-use crate::functions::{Deformation, PiecewiseFunctions};
-use crate::lagrange::{Fields, FromTip, Grid, SystemMatrices};
+use crate::functions::PiecewiseFunctions;
+use crate::lagrange::{Fields, FromTip, Grid, Residuals, SystemMatrices};
 use crate::numerics::eigen::EigenError;
 use crate::numerics::quadrature::GaussRules;
 use alloc::vec;
@@ -43,6 +44,15 @@ const ANCHORS: [f64; 6] = [0.5, 0.0, 1.0, 0.25, 0.75, 0.06];
 const FIRST_ANCHORS: usize = 3;
 /// Where the answer is checked besides, as shares of the range of Ω².
 const CHECKS: [f64; 2] = [1.0, 0.2];
+/// How far below the last eigenvalue found the others are counted, as shares of it, one after the
+/// other until a count is certain.
+const COUNTED_BELOW: [f64; 3] = [1e-7, 1e-6, 1e-5];
+/// So many elements are each given a load of its own where the iteration has missed a mode, once,
+/// and once more.
+const LOADED_ELEMENTS: [usize; 2] = [16, 64];
+/// Most multiplications of one solve: where they are used up, what was found is the answer, and its
+/// error says how good it is. Ordinary blades need a hundredth.
+const MOST_WORK: f64 = 4e8;
 
 /// The lowest modes of one degree of freedom over a range of rotor speeds, as a few functions.
 #[derive(Clone, Debug)]
@@ -50,31 +60,75 @@ pub struct Converged {
     elements: Elements,
     found: Reduced,
     error: f64,
+    counted: Option<f64>,
+}
+
+/// What is asked of the functions.
+#[derive(Clone, Copy, Debug)]
+pub struct Wanted<'a> {
+    /// From and to Ω² [rad²/s²].
+    pub range: (f64, f64),
+    /// Modes, from the lowest.
+    pub count: usize,
+    /// Further Ω² in the range at which the functions are to be as good as anywhere.
+    pub also_at: &'a [f64],
+}
+
+impl Wanted<'_> {
+    /// At one speed.
+    pub const fn at(speed_squared: f64, count: usize) -> Self {
+        Self { range: (speed_squared, speed_squared), count, also_at: &[] }
+    }
+
+    fn is_range(&self) -> bool {
+        self.range.1 > self.range.0
+    }
+
+    /// Ω² at a share of the range.
+    fn share(&self, share: f64) -> f64 {
+        let (from, to) = self.range;
+        if self.is_range() { from + share * (to - from) } else { to }
+    }
+
+    /// Where modes are sought: at first, or at all.
+    fn anchors(&self, all: bool) -> Vec<f64> {
+        let shares = match (self.is_range(), all) {
+            (false, _) => &ANCHORS[..1],
+            (true, false) => &ANCHORS[..FIRST_ANCHORS],
+            (true, true) => &ANCHORS[..],
+        };
+        shares.iter().map(|share| self.share(*share)).chain(self.also_at.iter().copied()).collect()
+    }
+
+    /// Where the answer is checked.
+    fn checks(&self) -> Vec<f64> {
+        let shares = if self.is_range() { &CHECKS[..] } else { &CHECKS[..1] };
+        shares.iter().map(|share| self.share(*share)).chain(self.also_at.iter().copied()).collect()
+    }
 }
 
 impl Converged {
-    /// Functions for the `count` lowest modes at every `from` ≤ Ω² ≤ `to` [rad²/s²].
+    /// The functions for what is wanted.
     ///
     /// # Errors
     /// [`EigenError`].
-    pub fn new(
-        blade: &Blade,
-        dof: Dof,
-        (from, to): (f64, f64),
-        count: usize,
-        rules: &GaussRules,
-    ) -> Result<Self, EigenError> {
-        let mut layout = first_layout(blade, dof, to, count);
+    pub fn new(blade: &Blade, dof: Dof, wanted: &Wanted, rules: &GaussRules) -> Result<Self, EigenError> {
+        let mut layout = first_layout(blade, dof, wanted.range.1, wanted.count);
         let mut last: Option<Self> = None;
+        let mut work = 0.0;
         for _ in 0..MOST_ROUNDS {
             let elements = Elements::new(blade, dof, &layout, rules);
-            let (found, shares) = Self::on(elements, (from, to), count, rules)?;
-            let best = last.as_ref().is_none_or(|last| found.error < last.error);
+            let (found, shares) = match Self::on(elements, wanted, rules, true, &mut work) {
+                Ok(found) => found,
+                // A coarser answer is better than none.
+                Err(_) if last.is_some() => break,
+                Err(error) => return Err(error),
+            };
             let error = found.error;
-            if best {
+            if last.as_ref().is_none_or(|last| error < last.error) {
                 last = Some(found);
             }
-            if error <= TOLERANCE || !raise(&mut layout, &shares) {
+            if error <= TOLERANCE || work > MOST_WORK || !raise(&mut layout, &shares) {
                 break;
             }
         }
@@ -96,40 +150,29 @@ impl Converged {
         let mut layout = first_layout(blade, dof, speed_squared, count);
         layout.orders.fill(order);
         let elements = Elements::new(blade, dof, &layout, rules);
-        Ok(Self::on(elements, (speed_squared, speed_squared), count, rules)?.0)
+        Ok(Self::on(elements, &Wanted::at(speed_squared, count), rules, false, &mut 0.0)?.0)
     }
 
     /// Inverse iteration on one mesh; with the largest share that each element has in the errors.
+    /// Where `counts`, it is held against the count of eigenvalues. Adds to `work` what it took.
     fn on(
         elements: Elements,
-        (from, to): (f64, f64),
-        count: usize,
+        wanted: &Wanted,
         rules: &GaussRules,
+        counts: bool,
+        work: &mut f64,
     ) -> Result<(Self, Vec<f64>), EigenError> {
-        let range = to > from;
-        let at = |share: f64| if range { from + share * (to - from) } else { to };
-        let mut anchors = if range { &ANCHORS[..FIRST_ANCHORS] } else { &ANCHORS[..1] };
-        let start = at(ANCHORS[0]);
+        let count = wanted.count;
+        let mut anchors = wanted.anchors(false);
+        let start = anchors[0];
         let factor = elements.factor(start).ok_or(EigenError::NotPositiveDefinite)?;
-        let mut subspace = Subspace::new(&elements, start);
-        subspace.push_rotated_root(&factor, start);
-        // One degree above the rigid motion, so that no symmetry hides a mode from it.
-        let deformation = elements.grid().deformation();
-        let start: Vec<f64> =
-            elements.grid().x().map(|x| if deformation == Deformation::Torsion { x } else { x * x }).collect();
-        subspace.push_start(&factor, &start);
-        // Fewer for a range: its ends give theirs, too.
-        let wanted = if range { 2 * count } else { 2 * count + 2 };
-        let mut next = 0;
-        while subspace.members() < wanted && next < subspace.members() {
-            subspace.push_next(&factor, next);
-            next += 1;
-        }
+        let mut subspace = Subspace::new(&elements, start, MOST_WORK - *work);
+        subspace.start(&factor, start, if wanted.is_range() { 2 * count } else { 2 * count + 2 });
         let from_tip = FromTip::new(elements.fine_grid(), rules);
         let (mut settled, mut last) = (SETTLED, f64::INFINITY);
+        let (mut widened, mut loads) = (false, LOADED_ELEMENTS.iter());
         loop {
-            for (index, share) in anchors.iter().enumerate() {
-                let s = at(*share);
+            for (index, &s) in anchors.iter().enumerate() {
                 let there;
                 let factor = if index == 0 {
                     &factor
@@ -139,25 +182,57 @@ impl Converged {
                 };
                 iterate(&mut subspace, factor, s, count, settled)?;
             }
-            let found = Reduced::new(&elements, &subspace, anchors.iter().map(|share| at(*share)), count)?;
+            let found = Reduced::new(&elements, &subspace, &anchors, count)?;
             let mut error = 0.0_f64;
             let mut shares = vec![0.0; elements.mesh.orders().len()];
-            for share in if range { &CHECKS[..] } else { &CHECKS[..1] } {
-                error = error.max(found.check(&elements, at(*share), count, &from_tip, &mut shares)?);
+            for s in wanted.checks() {
+                error = error.max(found.check(&elements, s, count, &from_tip, &mut shares)?);
             }
-            let helped = error <= WORTHWHILE * last;
-            if error > TOLERANCE && !helped && anchors.len() == FIRST_ANCHORS {
-                anchors = &ANCHORS;
+            let helped = error <= WORTHWHILE * last && !subspace.is_exhausted();
+            if error > TOLERANCE && !helped && wanted.is_range() && !widened && !subspace.is_exhausted() {
+                (anchors, widened) = (wanted.anchors(true), true);
                 last = f64::INFINITY;
             } else if error <= TOLERANCE || !helped {
-                // Where neither iterating on nor more speeds help, the elements are to blame.
-                drop(subspace);
-                return Ok((Self { elements, found, error }, shares));
+                // Where neither iterating on nor more speeds help, the elements are to blame, unless a
+                // mode was missed.
+                let counted = if counts { found.counted(&elements, start, count, error)? } else { None };
+                let again = counts && counted.is_none() && !subspace.is_exhausted();
+                match loads.next().filter(|_| again) {
+                    Some(loaded) => {
+                        subspace.push_loads(&factor, *loaded);
+                        (settled, last) = (SETTLED, f64::INFINITY);
+                        continue;
+                    }
+                    None => {
+                        *work += subspace.work();
+                        drop(subspace);
+                        return Ok((Self { elements, found, error, counted }, shares));
+                    }
+                }
             } else {
                 last = error;
             }
             settled *= 0.01;
         }
+    }
+
+    /// How near below the last eigenvalue, as a share of it, no other was missed: so many were counted,
+    /// without the iteration that found them. `None` where the counts differ or are uncertain.
+    pub fn counted(&self) -> Option<f64> {
+        self.counted
+    }
+
+    /// Eigenvalues below a number among all sums of the piecewise functions; `None` where rounding
+    /// leaves the count uncertain.
+    pub fn count_below(&self, eigenvalue: f64, speed_squared: f64) -> Option<usize> {
+        count::below(&self.elements, eigenvalue, speed_squared)
+    }
+
+    /// How good any mode within these functions is, at any speed.
+    pub fn residuals(&self, rules: &GaussRules) -> Residuals {
+        let n = self.found.matrices.count();
+        let fields = self.fields(&DMatrix::identity(n, n));
+        Residuals::new(self.grid(), &FromTip::new(self.grid(), rules), &fields)
     }
 
     /// The matrices of the functions that came out.
@@ -206,7 +281,7 @@ fn iterate(subspace: &mut Subspace, factor: &Factor, s: f64, count: usize, settl
                 new = new.max(subspace.push_response(factor, &displacement));
             }
         }
-        if new < settled {
+        if new < settled || subspace.is_exhausted() {
             break;
         }
     }

@@ -2,6 +2,7 @@
 
 use super::elements::Elements;
 use super::subspace::Subspace;
+use super::{COUNTED_BELOW, count};
 use crate::lagrange::{Fields, FromTip, SystemMatrices, assemble, residual_moments};
 use crate::numerics::eigen::{EigenError, lowest};
 use crate::numerics::scalar::sqrt;
@@ -25,12 +26,12 @@ impl Reduced {
     pub(super) fn new(
         elements: &Elements,
         subspace: &Subspace,
-        anchors: impl Iterator<Item = f64>,
+        anchors: &[f64],
         count: usize,
     ) -> Result<Self, EigenError> {
         let rigid = usize::from(elements.root_rotates());
         let mut out: Vec<Vec<f64>> = Vec::new();
-        for s in anchors {
+        for &s in anchors {
             for q in subspace.ritz(s, count)?.vectors.column_iter() {
                 add_direction(&mut out, q.as_slice()[rigid..].to_vec());
             }
@@ -65,7 +66,9 @@ impl Reduced {
         let energies = residuals.energies(grid);
         let mut error = 0.0_f64;
         for (mode, value) in found.values.iter().enumerate().skip(rigid) {
-            error = error.max(energies[(mode, mode)] * value);
+            let own = energies[(mode, mode)] * value;
+            // What is not a number is no small error.
+            error = error.max(if own.is_nan() { f64::INFINITY } else { own });
             let column = residuals.moment.column(mode);
             for (panel, share) in grid.panels().iter().zip(shares.iter_mut()) {
                 let own: f64 =
@@ -74,6 +77,30 @@ impl Reduced {
             }
         }
         Ok(error)
+    }
+
+    /// How far below the last of the `count` eigenvalues found at Ω² = `s`, as a share of it, as many
+    /// were counted as were found. The share allows for their relative error.
+    pub(super) fn counted(
+        &self,
+        elements: &Elements,
+        s: f64,
+        count: usize,
+        error: f64,
+    ) -> Result<Option<f64>, EigenError> {
+        let shift = elements.grid().system().shift(s);
+        let g = self.matrices.stiffness() + self.matrices.centrifugal() * s + self.matrices.mass() * shift;
+        let found = lowest(&g, self.matrices.mass(), count)?.values;
+        let Some(last) = found.last().filter(|last| **last > 0.0) else { return Ok(Some(0.0)) };
+        for share in COUNTED_BELOW {
+            let share = share.max(10.0 * error);
+            let below = last * (1.0 - share);
+            if let Some(counted) = count::below(elements, below - shift, s) {
+                let same = counted == found.iter().filter(|value| **value < below).count();
+                return Ok(same.then_some(share));
+            }
+        }
+        Ok(None)
     }
 
     /// What sums of the functions that came out (columns of `coordinates`) do along the span.

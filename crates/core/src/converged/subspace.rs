@@ -2,16 +2,20 @@
 
 use super::elements::{Elements, Factor};
 use crate::blade::RootCondition;
+use crate::functions::Deformation;
 use crate::lagrange::Energies;
 use crate::numerics::eigen::{Eigen, EigenError, lowest};
 use crate::numerics::scalar::sqrt;
 use crate::numerics::vector::{axpy, dot, scale};
 use alloc::vec;
 use alloc::vec::Vec;
+use core::cell::Cell;
 use nalgebra::DMatrix;
 
 /// A vector that keeps less than this of its length beside those there are says nothing new.
 const NOTHING_NEW: f64 = 1e-8;
+/// Most numbers that the functions are made of: 64 MB.
+const MOST_NUMBERS: usize = 8_000_000;
 /// A vector that keeps less than this of its length is made orthogonal once more.
 const ONCE_MORE: f64 = 1e-2;
 
@@ -32,6 +36,9 @@ pub(super) struct Subspace<'a> {
     members: Vec<Displacement>,
     /// Quadrature weights times inertia.
     masses: Vec<f64>,
+    /// Multiplications so far, about, and the most there may be.
+    work: Cell<f64>,
+    most_work: f64,
 }
 
 /// One function of the subspace.
@@ -53,7 +60,7 @@ struct Displacement {
 }
 
 impl<'a> Subspace<'a> {
-    pub(super) fn new(elements: &'a Elements, anchor: f64) -> Self {
+    pub(super) fn new(elements: &'a Elements, anchor: f64, most_work: f64) -> Self {
         let grid = elements.grid();
         let mut subspace = Self {
             elements,
@@ -65,6 +72,8 @@ impl<'a> Subspace<'a> {
             inertia: Vec::new(),
             members: Vec::new(),
             masses: grid.weighted(grid.inertia()).collect(),
+            work: Cell::new(0.0),
+            most_work,
         };
         if elements.root_rotates() {
             let displacement = Displacement::new(grid.rigid_displacement(), &subspace.masses);
@@ -84,13 +93,55 @@ impl<'a> Subspace<'a> {
         self.functions.len()
     }
 
-    /// Number of vectors that can be iterated.
-    pub(super) fn members(&self) -> usize {
-        self.members.len()
+    /// Multiplications so far, about.
+    pub(super) fn work(&self) -> f64 {
+        self.work.get()
+    }
+
+    /// Whether there was work enough, or the functions fill the memory that they may.
+    pub(super) fn is_exhausted(&self) -> bool {
+        let numbers = 4 * self.elements.mesh.count() + 2 * self.elements.grid().len();
+        self.work.get() > self.most_work || self.len() * numbers > MOST_NUMBERS
+    }
+
+    fn worked(&self, multiplications: usize) {
+        self.work.set(self.work.get() + multiplications as f64);
+    }
+
+    /// The first vectors: the static shape of a rotated root, the response to the inertia of a motion
+    /// one degree above the rigid one, so that no symmetry hides a mode from it, and the responses to
+    /// those, until there are so many (Wilson, Yuan & Dickens 1982).
+    pub(super) fn start(&mut self, factor: &Factor, speed_squared: f64, members: usize) {
+        self.push_rotated_root(factor, speed_squared);
+        let deformation = self.elements.grid().deformation();
+        let above = |x: f64| if deformation == Deformation::Torsion { x } else { x * x };
+        let start: Vec<f64> = self.elements.grid().x().map(above).collect();
+        self.push_start(factor, &start);
+        let mut next = 0;
+        while self.members.len() < members && next < self.members.len() && !self.is_exhausted() {
+            self.push_next(factor, next);
+            next += 1;
+        }
+    }
+
+    /// Adds the responses to the inertia of single elements, so many of them at even distances: what
+    /// lives between two heavy blocks does not show in the response to a load on the whole blade.
+    pub(super) fn push_loads(&mut self, factor: &Factor, elements: usize) {
+        let panels = self.elements.grid().panels();
+        let step = panels.len().div_ceil(elements).max(1);
+        for panel in panels.iter().step_by(step) {
+            if self.is_exhausted() {
+                break;
+            }
+            let mut displacement = vec![0.0; self.elements.grid().len()];
+            displacement[panel.points.clone()].fill(1.0);
+            let response = self.elements.response_to_inertia(factor, &displacement);
+            self.push(response);
+        }
     }
 
     /// Adds the static shape of a rotated root, to be iterated.
-    pub(super) fn push_rotated_root(&mut self, factor: &Factor, speed_squared: f64) {
+    fn push_rotated_root(&mut self, factor: &Factor, speed_squared: f64) {
         if let Some(rigid) = self.functions.first().filter(|_| self.rigid == 1) {
             let response = self.elements.response_to_root_rotation(factor, speed_squared);
             let mut displacement = self.elements.displacement(&response);
@@ -100,13 +151,13 @@ impl<'a> Subspace<'a> {
     }
 
     /// Adds the response to the inertia of a displacement, to be iterated.
-    pub(super) fn push_start(&mut self, factor: &Factor, displacement: &[f64]) {
+    fn push_start(&mut self, factor: &Factor, displacement: &[f64]) {
         let response = self.elements.response_to_inertia(factor, displacement);
         self.push_member(self.elements.displacement(&response), response);
     }
 
     /// Adds the response to the inertia of a member, to be iterated.
-    pub(super) fn push_next(&mut self, factor: &Factor, member: usize) {
+    fn push_next(&mut self, factor: &Factor, member: usize) {
         let response = self.elements.response_to_inertia(factor, &self.members[member].values);
         self.push_member(self.elements.displacement(&response), response);
     }
@@ -139,6 +190,7 @@ impl<'a> Subspace<'a> {
     fn push(&mut self, mut coefficients: Vec<f64>) -> f64 {
         let mut share = 1.0;
         loop {
+            self.worked((2 * self.len() + 20) * coefficients.len());
             let mut taken = 0.0;
             for known in &self.functions[self.rigid..] {
                 let along = dot(&known.potential, &coefficients);
@@ -182,6 +234,7 @@ impl<'a> Subspace<'a> {
         if let RootCondition::Spring(spring) = self.elements.grid().condition() {
             g[(0, 0)] += spring;
         }
+        self.worked(15 * self.len() * self.len() * self.len());
         lowest(&g, &m, count)
     }
 

@@ -2,9 +2,9 @@
 //! follows by integration from the free tip. It is the moment of a mode shape, and how far it is
 //! from the one that the strain gives says how good a mode is.
 
-use super::fields::{Fields, gram};
+use super::fields::Fields;
 use super::grid::Grid;
-use crate::blade::{Blade, RootCondition};
+use crate::blade::Blade;
 use crate::dof::Dof;
 use crate::functions::{AssumedFunctions, Deformation, Sample};
 use crate::numerics::legendre::Outboard;
@@ -39,7 +39,7 @@ impl FromTip {
     }
 
     /// ∫ f dr from each point to the tip, and from the root; f at the points of the grid.
-    fn integrate(&self, grid: &Grid, f: &[f64], out: &mut [f64]) -> f64 {
+    pub(super) fn integrate(&self, grid: &Grid, f: &[f64], out: &mut [f64]) -> f64 {
         let mut outboard = 0.0;
         for panel in grid.panels().iter().rev() {
             let span = panel.points.clone();
@@ -53,7 +53,7 @@ impl FromTip {
 
     /// The load on the rotation that the inertia of a displacement makes, per ω² and length: the
     /// shear in bending, the torque per length in torsion. `scratch` is overwritten.
-    fn inertial_load(&self, grid: &Grid, displacement: &[f64], out: &mut [f64], scratch: &mut [f64]) {
+    pub(super) fn inertial_load(&self, grid: &Grid, displacement: &[f64], out: &mut [f64], scratch: &mut [f64]) {
         out.iter_mut().zip(grid.inertia()).zip(displacement).for_each(|((out, j), u)| *out = j * u);
         if grid.deformation() == Deformation::Bending {
             self.integrate(grid, out, scratch);
@@ -140,83 +140,4 @@ pub fn tabulate(
         store(root, at_inertia, at_pull);
     }
     ShapeTables { dof, radii: radii.to_vec(), value, slope, inertial, centrifugal }
-}
-
-/// Residual moments of some modes: what equilibrium demands less what their strain gives, per unit of
-/// ω²-fold displacement. Their complementary energy is the error of a mode, and with a number
-/// between two eigenvalues it makes lower bounds.
-#[derive(Clone, Debug)]
-pub struct ResidualMoments {
-    /// δ = μ − D e/λ at the points of the grid (points × modes), where μ is the moment that balances
-    /// J u − Ω² P t/λ outboard.
-    pub moment: DMatrix<f64>,
-    /// What the root adds to the complementary energy (modes × modes).
-    root: DMatrix<f64>,
-}
-
-/// The residual moments of modes with eigenvalues λ (of the problem without the shift of
-/// [`System::shift`](super::System::shift)) at Ω² = `speed_squared`; `fields` holds one column per
-/// mode. The first `rigid` modes have λ = 0 and none.
-pub fn residual_moments(
-    grid: &Grid,
-    from_tip: &FromTip,
-    fields: &Fields,
-    eigenvalues: &[f64],
-    rigid: usize,
-    speed_squared: f64,
-) -> ResidualMoments {
-    let (points, modes) = (grid.len(), eigenvalues.len());
-    let mut moment = DMatrix::zeros(points, modes);
-    let mut at_root = vec![0.0; modes];
-    let (mut load, mut sum) = (vec![0.0; points], vec![0.0; points]);
-    for (mode, &eigenvalue) in eigenvalues.iter().enumerate().skip(rigid) {
-        let column = mode * points..(mode + 1) * points;
-        let displacement = &fields.displacement.as_slice()[column.clone()];
-        let rotation = &fields.rotation.as_slice()[column.clone()];
-        let strain = &fields.strain.as_slice()[column.clone()];
-        from_tip.inertial_load(grid, displacement, &mut load, &mut sum);
-        let factor = speed_squared / eigenvalue;
-        load.iter_mut().zip(grid.centrifugal()).zip(rotation).for_each(|((load, p), t)| *load -= factor * p * t);
-        at_root[mode] = from_tip.integrate(grid, &load, &mut sum);
-        let out = &mut moment.as_mut_slice()[column];
-        for (((out, sum), d), e) in out.iter_mut().zip(&sum).zip(grid.elastic()).zip(strain) {
-            *out = sum - d * e / eigenvalue;
-        }
-    }
-    let mut root = DMatrix::zeros(modes, modes);
-    match grid.condition() {
-        RootCondition::Clamped => {}
-        RootCondition::Spring(spring) => {
-            for ((left, rotation), eigenvalue) in
-                at_root.iter_mut().zip(&fields.root_rotation).zip(eigenvalues).skip(rigid)
-            {
-                *left -= spring * rotation / eigenvalue;
-            }
-            root = outer(&at_root, 1.0 / spring);
-        }
-        RootCondition::Free => {
-            // No moment may reach a free root, and none does but for rounding: the rigid motion is
-            // one of the functions. What is left is taken off as the inertia of so much of it.
-            from_tip.inertial_load(grid, &grid.rigid_displacement(), &mut load, &mut sum);
-            let total = from_tip.integrate(grid, &load, &mut sum);
-            for (mode, left) in at_root.iter().enumerate().skip(rigid) {
-                let out = &mut moment.as_mut_slice()[mode * points..(mode + 1) * points];
-                out.iter_mut().zip(&sum).for_each(|(out, sum)| *out -= left / total * sum);
-            }
-        }
-    }
-    ResidualMoments { moment, root }
-}
-
-impl ResidualMoments {
-    /// Complementary energies ∫ δ_i δ_j / D dr with what the root adds (modes × modes). The one on
-    /// the diagonal times λ is about the relative error of that λ.
-    pub fn energies(&self, grid: &Grid) -> DMatrix<f64> {
-        let compliance = grid.weight().iter().zip(grid.elastic()).map(|(weight, d)| weight / d);
-        gram(&self.moment, compliance) + &self.root
-    }
-}
-
-fn outer(values: &[f64], factor: f64) -> DMatrix<f64> {
-    DMatrix::from_fn(values.len(), values.len(), |i, j| factor * values[i] * values[j])
 }

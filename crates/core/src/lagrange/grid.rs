@@ -1,9 +1,9 @@
 //! Quadrature points along the span, with the weights of a system's terms there.
 
-use super::segments::segments;
+use super::segments::{segments, taper_cuts};
 use super::terms::{Energy, Field, Quantity, System};
 use super::uncoupled;
-use crate::blade::{Blade, RootCondition, stretches};
+use crate::blade::{Blade, Place, RootCondition, stretches};
 use crate::dof::Dof;
 use crate::functions::{AssumedFunctions, Deformation};
 use crate::numerics::quadrature::GaussRules;
@@ -68,21 +68,24 @@ impl Grid {
         let root = blade.root(dof).offset;
         let mut extra: Vec<f64> = functions.joints().iter().map(|x| root + x).chain(ends.iter().copied()).collect();
         if more > 0 {
-            let stiffness = blade.stiffness(dof);
-            extra.extend(segments(blade, dof, &[]).iter().flat_map(|segment| segment.taper_cuts(stiffness)));
+            extra.extend(taper_cuts(blade, dof));
         }
         let mut panels = Vec::new();
         for segment in segments(blade, dof, &extra) {
-            segment.panels(functions, rules, |from, to, rule| panels.push((from, to, rule.len() + more)));
+            let whole = (segment.from, segment.to);
+            segment.panels(functions, rules, |from, to, rule| {
+                panels.push((Place { ends: (from, to), segment: whole }, rule.len() + more));
+            });
         }
         Self::for_panels(blade, dof, panels.into_iter(), rules)
     }
 
-    /// With given panels (from, to, points), ascending from root to tip; none may straddle a station.
+    /// With given panels and their numbers of points, ascending from root to tip; none may straddle a
+    /// station.
     pub fn for_panels(
         blade: &Blade,
         dof: Dof,
-        panels: impl Iterator<Item = (f64, f64, usize)>,
+        panels: impl Iterator<Item = (Place, usize)>,
         rules: &GaussRules,
     ) -> Self {
         let root = blade.root(dof);
@@ -97,12 +100,12 @@ impl Grid {
             elastic: Vec::new(),
             centrifugal: Vec::new(),
         };
-        let (ends, points): (Vec<(f64, f64)>, Vec<usize>) = panels.map(|(from, to, n)| ((from, to), n)).unzip();
+        let (places, points): (Vec<Place>, Vec<usize>) = panels.unzip();
         let weight = |energy, quantity| grid.system.weight(energy, Field { dof, quantity });
         let inertia = weight(Energy::Inertia, Quantity::Displacement);
         let elastic = weight(Energy::Elastic, Quantity::Strain);
         let centrifugal = weight(Energy::Centrifugal, Quantity::Rotation);
-        for (stretch, points) in stretches(blade, &ends).iter().zip(points) {
+        for (stretch, points) in stretches(blade, &places).iter().zip(points) {
             let (from, to) = (stretch.from, stretch.to);
             let first = grid.radius.len();
             let (half, middle) = (0.5 * (to - from), 0.5 * (from + to));

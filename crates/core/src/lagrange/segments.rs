@@ -5,7 +5,7 @@ use crate::dof::Dof;
 use crate::functions::AssumedFunctions;
 use crate::numerics::PiecewiseLinear;
 use crate::numerics::quadrature::GaussRules;
-use crate::numerics::scalar::{ceil, ln, pow};
+use crate::numerics::scalar::{ceil, floor, ln, pow};
 use crate::order::ascending;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
@@ -14,6 +14,8 @@ use core::f64::consts::PI;
 /// moment by stiffness: polynomials follow 1/(1 + aξ) the more slowly the nearer its pole, and so do
 /// Gauss rules; at this ratio by a factor of 4.4 per degree.
 const TAPER: f64 = 2.5;
+/// Most parts that tapers may add to the span. Between limits of 1e-30 and 1e30 one segment has 151.
+const MOST_PARTS: f64 = 2000.0;
 
 /// A stretch of the span within which every property is linear.
 #[derive(Clone, Copy, Debug)]
@@ -25,12 +27,13 @@ pub(crate) struct Segment {
 }
 
 impl Segment {
-    /// Radii inside the segment that cut it where a positive property has changed by [`TAPER`] or less.
-    pub(crate) fn taper_cuts(&self, property: &PiecewiseLinear) -> impl Iterator<Item = f64> {
+    /// Radii inside the segment, one of so many, that cut it where a positive property has changed by
+    /// [`TAPER`] or less; by more where the parts of all segments would be too many.
+    fn taper_cuts(&self, property: &PiecewiseLinear, segments: usize) -> impl Iterator<Item = f64> {
         let (from, length) = (self.from, self.to - self.from);
         let (inner, outer) = (property.limits(self.from).1, property.limits(self.to).0);
         let ratio = outer / inner;
-        let parts = ceil(ln(ratio).abs() / ln(TAPER));
+        let parts = ceil(ln(ratio).abs() / ln(TAPER)).min(floor(MOST_PARTS / segments as f64).max(1.0));
         let share = move |i: f64| (pow(ratio, i / parts) - 1.0) / (ratio - 1.0);
         (1_u16..)
             .map(f64::from)
@@ -71,6 +74,13 @@ impl Segment {
         }
         f(a, self.to, rule);
     }
+}
+
+/// Radii that cut the segments of a degree of freedom where its stiffness tapers.
+pub(crate) fn taper_cuts(blade: &Blade, dof: Dof) -> Vec<f64> {
+    let segments = segments(blade, dof, &[]);
+    let cuts = segments.iter().flat_map(|segment| segment.taper_cuts(blade.stiffness(dof), segments.len()));
+    cuts.collect()
 }
 
 /// The segments of a degree of freedom from its root to the tip, inner first; `extra` radii split
