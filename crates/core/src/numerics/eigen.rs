@@ -5,7 +5,6 @@
 //! loses the low modes in the rounding of the high ones (docs/THEORY.md).
 
 use crate::numerics::scalar::sqrt;
-use crate::order::order;
 use alloc::vec::Vec;
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
@@ -133,9 +132,9 @@ fn elastic(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<Eigen, Ei
     if wanted > 1 && inverse[0] > SPREAD_FOR_SHIFT * inverse[1] {
         // The first mode lies far below the rest: with G + σM, σ about λ₂, those have full accuracy.
         // The diagonal's Rayleigh quotients tell the size of λ₂.
-        let quotients: Vec<f64> = m.diagonal().iter().filter(|&&d| d > 0.0).map(|d| 1.0 / d).collect();
-        if let Some(&second) = order(&quotients).get(1) {
-            let sigma = quotients[second];
+        let mut quotients: Vec<f64> = m.diagonal().iter().filter(|&&d| d > 0.0).map(|d| 1.0 / d).collect();
+        quotients.sort_by(f64::total_cmp);
+        if let Some(&sigma) = quotients.get(1) {
             let (shifted, apart) = largest_inverse(&(&g + &m * sigma), &m, wanted)?;
             for mode in 1..wanted {
                 inverse[mode] = 1.0 / (1.0 / shifted[mode] - sigma);
@@ -173,7 +172,8 @@ fn ascending(modes: Eigen) -> Eigen {
     if modes.values.is_sorted() {
         return modes;
     }
-    let order = order(&modes.values);
+    let mut order: Vec<usize> = (0..modes.values.len()).collect();
+    order.sort_by(|&a, &b| modes.values[a].total_cmp(&modes.values[b]));
     Eigen {
         values: order.iter().map(|&i| modes.values[i]).collect(),
         vectors: modes.vectors.select_columns(&order),
@@ -207,8 +207,9 @@ fn largest_inverse(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<(
 
 /// Indices of `values`, the largest first; of equal ones, in their order.
 fn descending(values: &[f64]) -> Vec<usize> {
-    let negated: Vec<f64> = values.iter().map(|v| -v).collect();
-    order(&negated)
+    let mut order: Vec<usize> = (0..values.len()).collect();
+    order.sort_by(|&a, &b| values[b].total_cmp(&values[a]));
+    order
 }
 
 /// S A S with S = diag(scale).
