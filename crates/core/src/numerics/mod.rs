@@ -1,5 +1,5 @@
 //! Numerical parts that know no blade: scalar functions, quadrature, roots, piecewise-linear
-//! functions, eigenproblems, Legendre and Chebyshev polynomials, chains of elements.
+//! functions, eigenproblems, Legendre and Chebyshev polynomials, chains of elements, sums over vectors.
 
 pub mod chain;
 pub mod chebyshev;
@@ -8,6 +8,7 @@ pub mod legendre;
 pub mod quadrature;
 pub mod roots;
 pub mod scalar;
+pub mod vector;
 
 mod piecewise_linear;
 
