@@ -2,18 +2,27 @@
 //!
 //! The problem is solved for 1/λ: with the basis scaled to a unit diagonal of G and G = L Lᵀ, the
 //! largest eigenvalues of L⁻¹ M L⁻ᵀ are the smallest λ. Solving for λ itself with the factor of M
-//! loses the low modes in the rounding of the high ones (docs/THEORY.md).
+//! loses the low modes in the rounding of the high ones (docs/THEORY.md). Functions without any
+//! potential energy are modes with λ = 0 and are taken out first; where G may be indefinite, so
+//! that λ < 0 (divergence), G + σM takes its place.
 
-use crate::numerics::scalar::sqrt;
+mod definite;
+mod indefinite;
+mod rigid;
+mod values;
+
+pub use definite::lowest_values;
+
 use alloc::vec::Vec;
-use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
+use nalgebra::DMatrix;
 
 /// What stands in the way of a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EigenError {
-    /// An entry of a matrix is infinite or not a number.
+    /// An entry of a matrix is infinite or not a number, or a result is beyond f64.
     NonFinite,
-    /// G is not positive definite beside its rigid function.
+    /// G is not positive definite beside its rigid motions; of [`lowest_of_any_sign`]: G + σM is not
+    /// for any σ.
     NotPositiveDefinite,
     /// The iteration did not end.
     NotConverged,
@@ -26,148 +35,67 @@ pub enum EigenError {
 pub struct Eigen {
     /// λ, ascending; exactly 0 for a rigid mode.
     pub values: Vec<f64>,
-    /// One column per mode, Φᵀ M Φ = I; the largest component of each is positive.
+    /// One column per mode, Φᵀ M Φ = I; the largest component of each in the basis scaled to a unit
+    /// diagonal of G is positive, of a rigid mode that of its own function.
     pub vectors: DMatrix<f64>,
     /// ‖G q − λ M q‖ / ‖λ M q‖ of each mode, in the basis scaled to a unit diagonal of G; 0 for a
-    /// rigid mode.
+    /// rigid mode. Where G is indefinite it is that of G + σM and λ + σ.
     pub residuals: Vec<f64>,
 }
 
-/// Above this ratio of λ to the smallest λ the rounding of the eigensolver, which is relative to
-/// the largest 1/λ, is taken out by a Rayleigh quotient.
-const SPREAD_FOR_QUOTIENT: f64 = 1e3;
-/// Up to this ratio of λ to the smallest λ eigenvalues without vectors are good to 1e-11 or so.
-const SPREAD_FOR_VALUES: f64 = 5e4;
-/// Above this ratio of λ₂ to λ₁ the modes from the second on are solved apart from the first.
-const SPREAD_FOR_SHIFT: f64 = 1e5;
-/// Share of the largest 1/λ below which an eigenvalue is nothing but rounding.
-const NOTHING: f64 = 1e-13;
 /// Steps of the QR iteration; about two per eigenvalue is usual.
 const STEPS_PER_EIGENVALUE: usize = 60;
 
-/// The `count` lowest modes of G q = λ M q, G positive definite but for at most one function with a
-/// zero row (a rigid motion), M positive semidefinite; only what the lower triangles hold is used.
+/// The `count` lowest modes of G q = λ M q, or as many as there are functions. G is positive definite
+/// but for functions whose rows are exactly zero (rigid motions), M positive semidefinite; only what
+/// the lower triangles hold is used.
 ///
 /// # Errors
 /// [`EigenError`].
 pub fn lowest(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<Eigen, EigenError> {
+    check(g, m, count)?;
+    rigid::beside(g, m, count, |g, m, rigid| definite::lowest(g, m, count.saturating_sub(rigid)))
+}
+
+/// The same where G may be indefinite: some λ may be negative, and come first. Costs the same where
+/// none is.
+///
+/// # Errors
+/// [`EigenError`].
+pub fn lowest_of_any_sign(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<Eigen, EigenError> {
+    check(g, m, count)?;
+    rigid::beside(g, m, count, |g, m, rigid| {
+        // One at least, to see whether it is negative and comes before the rigid ones.
+        match enough(count, rigid, count.saturating_sub(rigid).max(1), |count| definite::lowest(g, m, count)) {
+            Err(EigenError::NotPositiveDefinite) => {
+                enough(count, rigid, count, |count| indefinite::lowest(g, m, count))
+            }
+            other => other,
+        }
+    })
+}
+
+/// What `solve` finds of `wanted` modes, fewer where those are enough beside the rigid ones.
+fn enough(
+    count: usize,
+    rigid: usize,
+    wanted: usize,
+    solve: impl Fn(usize) -> Result<Eigen, EigenError>,
+) -> Result<Eigen, EigenError> {
+    match solve(wanted) {
+        Err(EigenError::TooFewModes(left)) if left + rigid >= count => solve(left),
+        other => other,
+    }
+}
+
+fn check(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<(), EigenError> {
     if g.iter().chain(m.iter()).any(|v| !v.is_finite()) {
         return Err(EigenError::NonFinite);
     }
-    match (0..g.nrows()).find(|&i| g[(i, i)] == 0.0) {
-        Some(rigid) => with_rigid_mode(g, m, rigid, count),
-        None => elastic(g, m, count),
-    }
+    if g.is_empty() && count > 0 { Err(EigenError::TooFewModes(0)) } else { Ok(()) }
 }
 
-/// The `count` lowest λ alone, where G is positive definite and their ratios small enough for that
-/// to keep nine digits or more; `None` else, and [`lowest`] has the answer.
-pub fn lowest_values(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Option<Vec<f64>> {
-    if g.diagonal().iter().any(|&d| !(d > 0.0 && d.is_finite())) {
-        return None;
-    }
-    let scale = g.diagonal().map(|d| 1.0 / sqrt(d));
-    let l = Cholesky::new(scaled(g, &scale))?.unpack();
-    let a = sandwich(&l, scaled(m, &scale))?;
-    if a.iter().any(|v| !v.is_finite()) {
-        return None;
-    }
-    let values = a.symmetric_eigenvalues();
-    let inverse: Vec<f64> = descending(values.as_slice()).into_iter().take(count).map(|i| values[i]).collect();
-    let plain = inverse.len() == count && inverse.iter().all(|v| *v * SPREAD_FOR_VALUES > inverse[0]);
-    plain.then(|| inverse.iter().map(|v| 1.0 / v).collect())
-}
-
-/// L⁻¹ M L⁻ᵀ: two triangular solves, the second on the transpose of the first.
-fn sandwich(l: &DMatrix<f64>, m: DMatrix<f64>) -> Option<DMatrix<f64>> {
-    let mut a = m;
-    let solved = l.solve_lower_triangular_mut(&mut a);
-    a.transpose_mut();
-    (solved && l.solve_lower_triangular_mut(&mut a)).then_some(a)
-}
-
-/// The rigid function is a mode with λ = 0. The others are orthogonal to it, (M q)_rigid = 0; that
-/// gives their rigid component and leaves a problem with M's Schur complement.
-fn with_rigid_mode(g: &DMatrix<f64>, m: &DMatrix<f64>, rigid: usize, count: usize) -> Result<Eigen, EigenError> {
-    let n = g.nrows();
-    let inertia = m[(rigid, rigid)];
-    if inertia <= 0.0 {
-        return Err(EigenError::TooFewModes(0));
-    }
-    let row = m.column(rigid).remove_row(rigid) / inertia;
-    let mut reduced = m.clone().remove_row(rigid).remove_column(rigid);
-    reduced.ger(-inertia, &row, &row, 1.0);
-    let others = if count > 1 && n > 1 {
-        elastic(&g.clone().remove_row(rigid).remove_column(rigid), &reduced, count - 1).map_err(
-            |error| match error {
-                EigenError::TooFewModes(left) => EigenError::TooFewModes(left + 1),
-                other => other,
-            },
-        )?
-    } else {
-        Eigen { values: Vec::new(), vectors: DMatrix::zeros(n - 1, 0), residuals: Vec::new() }
-    };
-    let modes = others.values.len() + 1;
-    let mut vectors = others.vectors.insert_row(rigid, 0.0).insert_column(0, 0.0);
-    vectors[(rigid, 0)] = 1.0 / sqrt(inertia);
-    for mode in 1..modes {
-        let elastic = vectors.column(mode).remove_row(rigid);
-        vectors[(rigid, mode)] = -row.dot(&elastic);
-    }
-    let with_zero = |list: Vec<f64>| core::iter::once(0.0).chain(list).collect();
-    Ok(Eigen { values: with_zero(others.values), vectors, residuals: with_zero(others.residuals) })
-}
-
-/// The problem without a rigid mode.
-fn elastic(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<Eigen, EigenError> {
-    let n = g.nrows();
-    if g.diagonal().iter().any(|&d| d <= 0.0) {
-        return Err(EigenError::NotPositiveDefinite);
-    }
-    let scale = g.diagonal().map(|d| 1.0 / sqrt(d));
-    let g = scaled(g, &scale);
-    let m = scaled(m, &scale);
-    let wanted = count.min(n);
-    let (mut inverse, mut vectors) = largest_inverse(&g, &m, wanted)?;
-    if wanted > 1 && inverse[0] > SPREAD_FOR_SHIFT * inverse[1] {
-        // The first mode lies far below the rest: with G + σM, σ about λ₂, those have full accuracy.
-        // The diagonal's Rayleigh quotients tell the size of λ₂.
-        let mut quotients: Vec<f64> = m.diagonal().iter().filter(|&&d| d > 0.0).map(|d| 1.0 / d).collect();
-        quotients.sort_by(f64::total_cmp);
-        if let Some(&sigma) = quotients.get(1) {
-            let (shifted, apart) = largest_inverse(&(&g + &m * sigma), &m, wanted)?;
-            for mode in 1..wanted {
-                inverse[mode] = 1.0 / (1.0 / shifted[mode] - sigma);
-                vectors.set_column(mode, &apart.column(mode));
-            }
-        }
-    }
-    let determined = inverse.iter().take_while(|&&v| v > 0.0).count();
-    if determined < wanted {
-        return Err(EigenError::TooFewModes(determined));
-    }
-    let mut values: Vec<f64> = inverse.iter().map(|v| 1.0 / v).collect();
-    let mut residuals = Vec::with_capacity(wanted);
-    for (mode, value) in values.iter_mut().enumerate() {
-        let mut vector = vectors.column_mut(mode);
-        let (stiffness, inertia) = (&g * &vector, &m * &vector);
-        let (energy, norm) = (vector.dot(&stiffness), vector.dot(&inertia));
-        if *value * inverse[0] > SPREAD_FOR_QUOTIENT {
-            *value = energy / norm;
-        }
-        let residual = (stiffness - &inertia * *value).norm() / (*value * inertia.norm());
-        residuals.push(residual);
-        let largest = vector.iter().fold(0.0_f64, |best, &v| if v.abs() > best.abs() { v } else { best });
-        let factor = if largest < 0.0 { -1.0 } else { 1.0 } / sqrt(norm);
-        vector.iter_mut().zip(scale.iter()).for_each(|(v, s)| *v *= factor * s);
-    }
-    if values.iter().chain(&residuals).chain(&vectors).any(|v| !v.is_finite()) {
-        return Err(EigenError::NonFinite);
-    }
-    Ok(ascending(Eigen { values, vectors, residuals }))
-}
-
-/// The same modes by ascending λ: the quotients may have changed places where modes lie close.
+/// The same modes by ascending λ.
 fn ascending(modes: Eigen) -> Eigen {
     if modes.values.is_sorted() {
         return modes;
@@ -181,50 +109,17 @@ fn ascending(modes: Eigen) -> Eigen {
     }
 }
 
-/// The `count` largest 1/λ, descending, and their vectors; 1/λ below what rounding leaves is 0.
-fn largest_inverse(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<(Vec<f64>, DMatrix<f64>), EigenError> {
-    let n = g.nrows();
-    let l = Cholesky::new(g.clone()).ok_or(EigenError::NotPositiveDefinite)?.unpack();
-    let a = sandwich(&l, m.clone()).ok_or(EigenError::NotPositiveDefinite)?;
-    let eigen = SymmetricEigen::try_new(a, f64::EPSILON, STEPS_PER_EIGENVALUE * n).ok_or(EigenError::NotConverged)?;
-    if eigen.eigenvalues.iter().any(|v| !v.is_finite()) {
-        return Err(EigenError::NotConverged);
-    }
-    let order = descending(eigen.eigenvalues.as_slice());
-    let floor = NOTHING * order.first().map_or(0.0, |&i| eigen.eigenvalues[i]);
-    let mut values = Vec::with_capacity(count);
-    let mut vectors = DMatrix::zeros(n, count);
-    for (mode, &index) in order.iter().take(count).enumerate() {
-        let value = eigen.eigenvalues[index];
-        values.push(if value > floor { value } else { 0.0 });
-        vectors.set_column(mode, &eigen.eigenvectors.column(index));
-    }
-    if !l.tr_solve_lower_triangular_mut(&mut vectors) {
-        return Err(EigenError::NotPositiveDefinite);
-    }
-    Ok((values, vectors))
-}
-
-/// Indices of `values`, the largest first; of equal ones, in their order.
-fn descending(values: &[f64]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..values.len()).collect();
-    order.sort_by(|&a, &b| values[b].total_cmp(&values[a]));
-    order
-}
-
-/// S A S with S = diag(scale).
-fn scaled(a: &DMatrix<f64>, scale: &DVector<f64>) -> DMatrix<f64> {
-    DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| {
-        // The lower triangle serves both halves, so that the result is symmetric to the bit.
-        let (i, j) = if i >= j { (i, j) } else { (j, i) };
-        a[(i, j)] * (scale[i] * scale[j])
-    })
+/// Nothing that is infinite or not a number is a result.
+fn finite(modes: Eigen) -> Result<Eigen, EigenError> {
+    let mut all = modes.values.iter().chain(&modes.residuals).chain(&modes.vectors);
+    if all.any(|v| !v.is_finite()) { Err(EigenError::NonFinite) } else { Ok(modes) }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use alloc::vec;
+    use nalgebra::DVector;
 
     /// A chain of two masses on springs: λ = (3 ± √5)/2.
     #[test]
@@ -274,5 +169,48 @@ mod tests {
         assert_eq!(lowest(&(&one * 1e160), &(&one * 1e-155), 1).unwrap_err(), EigenError::NonFinite);
         let singular = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 0.0]));
         assert_eq!(lowest(&one, &singular, 2).unwrap_err(), EigenError::TooFewModes(1));
+    }
+
+    /// L⁻¹ M L⁻ᵀ overflows, though neither matrix does.
+    #[test]
+    fn what_overflows_on_the_way_is_no_answer() {
+        let g = DMatrix::identity(3, 3) * 1e-200;
+        let m = DMatrix::from_fn(3, 3, |i, j| if i == j { 1e200 } else { 1e180 });
+        assert_eq!(lowest(&g, &m, 2).unwrap_err(), EigenError::NonFinite);
+        assert_eq!(lowest_values(&g, &m, 2), None);
+        assert_eq!(lowest_values(&m, &g, 2), None);
+        assert_eq!(lowest(&g, &(m * f64::NAN), 2).unwrap_err(), EigenError::NonFinite);
+    }
+
+    #[test]
+    fn without_functions_there_are_no_modes() {
+        let none = DMatrix::zeros(0, 0);
+        assert_eq!(lowest(&none, &none, 1).unwrap_err(), EigenError::TooFewModes(0));
+        assert_eq!(lowest_of_any_sign(&none, &none, 1).unwrap_err(), EigenError::TooFewModes(0));
+        assert_eq!(lowest_values(&none, &none, 1), None);
+    }
+
+    #[test]
+    fn a_mode_that_counts_twice_is_found_twice() {
+        // A reflection of diag(2, 5, 2, 5).
+        let v = DVector::from_vec(vec![0.5, -0.1, 0.3, 0.7]).normalize();
+        let mirror = DMatrix::identity(4, 4) - &v * v.transpose() * 2.0;
+        let g = &mirror * DMatrix::from_diagonal(&DVector::from_vec(vec![2.0, 5.0, 2.0, 5.0])) * &mirror;
+        let one = DMatrix::identity(4, 4);
+        let eigen = lowest(&g, &one, 4).unwrap();
+        for (value, exact) in eigen.values.iter().zip([2.0, 2.0, 5.0, 5.0]) {
+            assert!((value / exact - 1.0).abs() < 3e-15, "{value}");
+        }
+        assert!((eigen.vectors.tr_mul(&eigen.vectors) - one).amax() < 1e-14, "orthonormal");
+    }
+
+    #[test]
+    fn values_alone_are_those_of_the_modes() {
+        let g = DMatrix::from_fn(9, 9, |i, j| if i == j { 2.5 + i as f64 } else { 1.0 / (1.0 + i.abs_diff(j) as f64) });
+        let m = DMatrix::from_fn(9, 9, |i, j| if i == j { 3.0 } else { 0.1 });
+        let (values, modes) = (lowest_values(&g, &m, 4).unwrap(), lowest(&g, &m, 4).unwrap());
+        for (value, other) in values.iter().zip(&modes.values) {
+            assert!((value / other - 1.0).abs() < 1e-14, "{value} {other}");
+        }
     }
 }
