@@ -6,7 +6,7 @@ use crate::blade::Blade;
 use crate::fault::Fault;
 use crate::functions::BasisFamily;
 use crate::numerics::quadrature::GaussRules;
-use crate::numerics::scalar::sqrt;
+use crate::numerics::scalar::{maximum, sqrt};
 use crate::report::{BasisReport, FunctionCounts, Margin, ModeReport, ModesReport};
 use crate::units;
 use alloc::boxed::Box;
@@ -65,7 +65,7 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Vec<Faul
                 margin_per_rev: margin.as_ref().map(|margin| margin.margin_per_rev),
                 lower_rad_s: Some(sqrt(interval.lower)),
                 upper_rad_s: Some(sqrt(interval.upper)),
-                separation_rad_s: bounds.separation.map(|square| sqrt(square.max(0.0))),
+                separation_rad_s: bounds.separation.map(|square| sqrt(maximum(square, 0.0))),
                 classical_rad_s: by_paper.get(index).map(|mode| mode.frequency),
                 converged_rad_s: reference.get(index).map(|mode| mode.frequency),
                 residual: mode.residual,
