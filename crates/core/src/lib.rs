@@ -68,7 +68,6 @@ pub mod lagrange;
 pub mod library;
 pub mod modes;
 pub mod numerics;
-mod order;
 pub mod report;
 pub mod units;
 

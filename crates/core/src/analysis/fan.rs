@@ -1,13 +1,13 @@
 //! Fan charts: frequencies over a range of rotor speeds.
 
 use super::basis::{Basis, solve};
-use super::{Settings, label, margin, none, note, unsolvable};
+use super::{Settings, frequency, label, margin, none, note, unsolvable};
 use crate::blade::Blade;
 use crate::converged::Wanted;
 use crate::fan::{Curves, meet_rays};
 use crate::fault::Fault;
 use crate::numerics::quadrature::GaussRules;
-use crate::numerics::scalar::sqrt;
+use crate::numerics::scalar::maximum;
 use crate::report::{BasisReport, Branch, Coincidence, Crossing, FanChart, FunctionCounts, Nominal, Southwell};
 use alloc::string::ToString;
 use alloc::vec::Vec;
@@ -41,11 +41,11 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Vec<Fault>> {
         let wanted = Wanted { range: (0.0, highest * highest), count: settings.modes, also_at: &[] };
         let basis = Basis::new(blade, dof, settings, &wanted, &rules)?;
         chart.basis.functions.set(dof, basis.count());
-        note(&mut chart.warnings, dof, basis.error());
         let matrices = basis.matrices();
         let at_rest = solve(matrices, 0.0, settings.modes)?;
         let curves =
             Curves::fit(matrices, &at_rest, range.from * range.from, range.to * range.to).map_err(unsolvable)?;
+        note(&mut chart.warnings, dof, maximum(basis.error(), curves.error()));
         chart.branches.extend(at_rest.iter().enumerate().map(|(index, mode)| Branch {
             label: label(dof, index + 1),
             dof,
@@ -57,7 +57,7 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Vec<Fault>> {
         for speed in &chart.speeds_rad_s {
             let values = curves.eigenvalues(speed * speed);
             for (branch, value) in chart.branches[first..].iter_mut().zip(values) {
-                branch.frequency_rad_s.push(sqrt(value));
+                branch.frequency_rad_s.push(frequency(value));
             }
         }
         let rays = meet_rays(&curves, settings.harmonics);

@@ -26,7 +26,7 @@ use crate::fault::{Fault, FaultCode, Warning};
 use crate::lagrange::SystemMatrices;
 use crate::modes::{Mode, SolveError, solve as solve_modes};
 use crate::numerics::eigen::EigenError;
-use crate::numerics::scalar::round;
+use crate::numerics::scalar::{maximum, round, sqrt};
 use crate::report::Margin;
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -57,14 +57,22 @@ fn unsolvable(error: SolveError) -> Vec<Fault> {
     )]
 }
 
-/// Says so where the piecewise functions did not reach their tolerance.
+/// Says so where frequencies did not reach their tolerance.
 fn note(warnings: &mut Vec<Warning>, dof: Dof, error: f64) {
-    if error > TOLERANCE {
-        warnings.push(Warning {
-            path: dof.name().to_string(),
-            message: format!("{dof} frequencies are converged to {:.0e} only, not to {TOLERANCE:.0e}", 0.5 * error),
-        });
-    }
+    let message = if error.is_nan() {
+        format!("{dof} frequencies are of unknown error")
+    } else if error > TOLERANCE {
+        format!("{dof} frequencies are converged to {:.0e} only, not to {TOLERANCE:.0e}", 0.5 * error)
+    } else {
+        return;
+    };
+    warnings.push(Warning { path: dof.name().to_string(), message });
+}
+
+/// ω of an eigenvalue of fitted curves. Those of one degree of freedom are not negative, or the
+/// eigenproblem refuses the blade; so what lies below 0 is the rounding of a curve that is 0.
+fn frequency(eigenvalue: f64) -> f64 {
+    sqrt(maximum(eigenvalue, 0.0))
 }
 
 /// Says so where a degree of freedom has no bounds, and why.

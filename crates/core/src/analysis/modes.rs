@@ -7,7 +7,7 @@ use crate::converged::Wanted;
 use crate::fault::Fault;
 use crate::functions::BasisFamily;
 use crate::numerics::quadrature::GaussRules;
-use crate::numerics::scalar::sqrt;
+use crate::numerics::scalar::{maximum, sqrt};
 use crate::report::{BasisReport, FunctionCounts, Margin, ModeReport, ModesReport};
 use crate::units;
 use alloc::boxed::Box;
@@ -80,7 +80,7 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Vec<Faul
                 separation_rad_s: bounds
                     .as_ref()
                     .and_then(|bounds| bounds.separation)
-                    .map(|square| sqrt(square.max(0.0))),
+                    .map(|square| sqrt(maximum(square, 0.0))),
                 classical_rad_s: by_paper.get(index).map(|mode| mode.frequency),
                 converged_rad_s: converged,
                 residual: mode.residual,

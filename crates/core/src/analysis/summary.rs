@@ -2,7 +2,6 @@
 
 use crate::blade::{Blade, RootCondition, moments};
 use crate::dof::Dof;
-use crate::order::ascending;
 use crate::report::{BladeSummary, DofSummary};
 use alloc::string::ToString;
 use alloc::vec::Vec;
@@ -34,13 +33,13 @@ pub fn summary(blade: &Blade) -> BladeSummary {
             inertia_kg_m2: if torsion { polar } else { second },
         }
     });
-    let stations: Vec<f64> = Dof::ALL
+    let mut stations: Vec<f64> = Dof::ALL
         .into_iter()
         .map(|dof| blade.stiffness(dof))
         .chain([blade.mass(), blade.polar_inertia(), blade.mass_offset()])
         .flat_map(|property| property.stations().iter().copied())
         .collect();
-    let mut stations = ascending(&stations);
+    stations.sort_by(f64::total_cmp);
     stations.dedup();
     BladeSummary {
         schema: "bladefan-check/1",

@@ -6,7 +6,6 @@ use crate::functions::AssumedFunctions;
 use crate::numerics::PiecewiseLinear;
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::{ceil, floor, ln, pow};
-use crate::order::ascending;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 
@@ -100,7 +99,7 @@ pub(crate) fn segments(blade: &Blade, dof: Dof, extra: &[f64]) -> Vec<Segment> {
         .collect();
     ends.push(root);
     ends.push(radius);
-    let mut ends = ascending(&ends);
+    ends.sort_by(f64::total_cmp);
     ends.dedup();
     ends.windows(2).map(|pair| Segment { from: pair[0], to: pair[1] }).collect()
 }

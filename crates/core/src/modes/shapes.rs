@@ -3,7 +3,7 @@
 use super::Mode;
 use crate::dof::Dof;
 use crate::lagrange::ShapeTables;
-use crate::numerics::scalar::sqrt;
+use crate::numerics::scalar::{maximum, sqrt};
 use alloc::vec::Vec;
 use nalgebra::{DMatrix, DVector};
 
@@ -39,7 +39,7 @@ pub fn orthogonality(mass: &DMatrix<f64>, modes: &[Mode]) -> Vec<f64> {
     let of_mode = |(i, mode): (usize, &Mode)| {
         let loaded = mass * &mode.coordinates;
         let others = modes.iter().enumerate().filter(|&(j, _)| j != i);
-        others.map(|(_, other)| other.coordinates.dot(&loaded).abs()).fold(0.0, f64::max)
+        others.map(|(_, other)| other.coordinates.dot(&loaded).abs()).fold(0.0, maximum)
     };
     modes.iter().enumerate().map(of_mode).collect()
 }

@@ -1,5 +1,6 @@
 //! Numerical parts that know no blade: scalar functions, quadrature, roots, piecewise-linear
-//! functions, eigenproblems, Legendre and Chebyshev polynomials, recursion along the blade.
+//! functions, eigenproblems, Legendre and Chebyshev polynomials, recursion along the blade, sums over
+//! lists.
 
 pub mod chebyshev;
 pub mod eigen;
