@@ -2,7 +2,7 @@
 
 use super::settings::Settings;
 use crate::blade::Blade;
-use crate::converged::{Converged, Wanted};
+use crate::converged::{Converged, Wanted, Work};
 use crate::dof::Dof;
 use crate::fault::Fault;
 use crate::functions::{AssumedFunctions, BasisFamily};
@@ -10,6 +10,7 @@ use crate::lagrange::{
     Bounds, Energies, Fields, FromTip, Grid, Reference, SystemMatrices, assemble, bounds, classical_functions, system,
 };
 use crate::modes::{self, Mode, SolveError};
+use crate::numerics::eigen::EigenError;
 use crate::numerics::quadrature::GaussRules;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -57,12 +58,13 @@ impl Basis {
         settings: &Settings,
         wanted: &Wanted,
         rules: &GaussRules,
+        work: &mut Work,
     ) -> Result<Self, Vec<Fault>> {
         Ok(match settings.basis {
             BasisFamily::Classical => {
                 Self::Classical(Box::new(Classical::new(blade, dof, settings.functions, rules, false)))
             }
-            BasisFamily::Piecewise => Self::Piecewise(Box::new(converged(blade, dof, wanted, rules)?)),
+            BasisFamily::Piecewise => Self::Piecewise(Box::new(converged(blade, dof, wanted, rules, work)?)),
         })
     }
 
@@ -138,9 +140,20 @@ fn eigenvalues(modes: &[Mode]) -> Vec<f64> {
 }
 
 /// The converged functions for what is wanted.
-pub(super) fn converged(blade: &Blade, dof: Dof, wanted: &Wanted, rules: &GaussRules) -> Result<Converged, Vec<Fault>> {
-    Converged::new(blade, dof, wanted, rules)
+pub(super) fn converged(
+    blade: &Blade,
+    dof: Dof,
+    wanted: &Wanted,
+    rules: &GaussRules,
+    work: &mut Work,
+) -> Result<Converged, Vec<Fault>> {
+    Converged::new(blade, dof, wanted, rules, work)
         .map_err(|cause| super::unsolvable(SolveError { dofs: system(dof).dofs, cause }))
+}
+
+/// That converged functions gave no answer.
+pub(super) fn failed(found: &Converged, cause: EigenError) -> Vec<Fault> {
+    super::unsolvable(SolveError { dofs: found.matrices().dofs(), cause })
 }
 
 pub(super) fn solve(matrices: &SystemMatrices, speed: f64, count: usize) -> Result<Vec<Mode>, Vec<Fault>> {

@@ -3,7 +3,7 @@
 use super::basis::{Basis, Classical, converged, separated, solve};
 use super::{Settings, available, label, none, note, note_bounds, note_fewer, unsolvable};
 use crate::blade::Blade;
-use crate::converged::{Converged, TOLERANCE, Wanted};
+use crate::converged::{Converged, TOLERANCE, Wanted, Work};
 use crate::dof::Dof;
 use crate::fault::Fault;
 use crate::functions::MOST_ORDER;
@@ -45,7 +45,7 @@ pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Ve
             }
         }
         let steps = piecewise_steps(blade, dof, speed, settings.modes, &rules)?;
-        let found = converged(blade, dof, &Wanted::at(square, settings.modes + 1), &rules)?;
+        let found = converged(blade, dof, &Wanted::at(square, settings.modes + 1), &rules, &mut Work::default())?;
         let reference = solve(found.matrices(), speed, settings.modes + 1)?;
         let error = found.error();
         let separation = separated(&found, &reference);

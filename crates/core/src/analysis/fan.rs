@@ -1,13 +1,12 @@
 //! Fan charts: frequencies over a range of rotor speeds.
 
-use super::basis::{Basis, solve};
-use super::{Settings, frequency, label, margin, none, note, unsolvable};
+use super::basis::solve;
+use super::fitted::{Fitted, fitted};
+use super::{Settings, frequency, label, margin, none, note, note_fewer};
 use crate::blade::Blade;
-use crate::converged::Wanted;
-use crate::fan::{Curves, meet_rays};
+use crate::fan::meet_rays;
 use crate::fault::Fault;
 use crate::numerics::quadrature::GaussRules;
-use crate::numerics::scalar::maximum;
 use crate::report::{BasisReport, Branch, Coincidence, Crossing, FanChart, FunctionCounts, Nominal, Southwell};
 use alloc::string::ToString;
 use alloc::vec::Vec;
@@ -38,14 +37,13 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Vec<Fault>> {
     };
     for dof in settings.ordered_dofs() {
         // From rest, where the Southwell coefficients are taken, past nominal speed.
-        let wanted = Wanted { range: (0.0, highest * highest), count: settings.modes, also_at: &[] };
-        let basis = Basis::new(blade, dof, settings, &wanted, &rules)?;
-        chart.basis.functions.set(dof, basis.count());
+        let squares = (range.from * range.from, range.to * range.to);
+        let Fitted { basis, at_rest, curves, error } =
+            fitted(blade, dof, settings, squares, highest * highest, &rules)?;
         let matrices = basis.matrices();
-        let at_rest = solve(matrices, 0.0, settings.modes)?;
-        let curves =
-            Curves::fit(matrices, &at_rest, range.from * range.from, range.to * range.to).map_err(unsolvable)?;
-        note(&mut chart.warnings, dof, maximum(basis.error(), curves.error()));
+        chart.basis.functions.set(dof, basis.count());
+        note(&mut chart.warnings, dof, error);
+        note_fewer(&mut chart.warnings, dof, at_rest.len(), settings.modes);
         chart.branches.extend(at_rest.iter().enumerate().map(|(index, mode)| Branch {
             label: label(dof, index + 1),
             dof,

@@ -5,6 +5,7 @@ mod basis;
 mod compare;
 mod converge;
 mod fan;
+mod fitted;
 mod model;
 mod modes;
 mod settings;

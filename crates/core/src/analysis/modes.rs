@@ -3,7 +3,7 @@
 use super::basis::{Basis, Classical, converged, separated, solve};
 use super::{Settings, available, label, margin, none, note, note_bounds, note_fewer, unsolvable};
 use crate::blade::Blade;
-use crate::converged::Wanted;
+use crate::converged::{Wanted, Work};
 use crate::fault::Fault;
 use crate::functions::BasisFamily;
 use crate::numerics::quadrature::GaussRules;
@@ -37,7 +37,7 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Vec<Faul
         let for_bounds = settings.basis == BasisFamily::Classical;
         let paper = Classical::new(blade, dof, settings.functions, &rules, for_bounds);
         // One mode more than asked for separates the last one from the rest.
-        let found = converged(blade, dof, &Wanted::at(square, settings.modes + 1), &rules)?;
+        let found = converged(blade, dof, &Wanted::at(square, settings.modes + 1), &rules, &mut Work::default())?;
         let reference = solve(found.matrices(), speed, settings.modes + 1)?;
         let by_paper = available(&paper.matrices, square, settings.modes).map_err(unsolvable)?;
         let error = found.error();

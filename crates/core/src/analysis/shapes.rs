@@ -3,7 +3,7 @@
 use super::basis::{Basis, solve};
 use super::{Settings, ShapeScale, label, none, note, note_fewer};
 use crate::blade::Blade;
-use crate::converged::Wanted;
+use crate::converged::{Wanted, Work};
 use crate::dof::Dof;
 use crate::fault::Fault;
 use crate::lagrange::{tabulate, torsion_norm};
@@ -36,7 +36,8 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Vec<Fa
         warnings: blade.warnings().to_vec(),
     };
     for dof in settings.ordered_dofs() {
-        let basis = Basis::new(blade, dof, settings, &Wanted::at(speed * speed, settings.modes), &rules)?;
+        let basis =
+            Basis::new(blade, dof, settings, &Wanted::at(speed * speed, settings.modes), &rules, &mut Work::default())?;
         report.basis.functions.set(dof, basis.count());
         note(&mut report.warnings, dof, basis.error());
         let solved = solve(basis.matrices(), speed, settings.modes)?;

@@ -42,6 +42,8 @@ const MOST_ITERATIONS: usize = 8;
 const ANCHORS: [f64; 6] = [0.5, 0.0, 1.0, 0.25, 0.75, 0.06];
 /// So many of them at first.
 const FIRST_ANCHORS: usize = 3;
+/// Most functions that may come out of a range: a chart solves dense problems of that order.
+pub const MOST_FUNCTIONS: usize = 200;
 /// Where the answer is checked besides, as shares of the range of Ω².
 const CHECKS: [f64; 2] = [1.0, 0.2];
 /// How far below the last eigenvalue found the others are counted, as shares of it, one after the
@@ -50,9 +52,33 @@ const COUNTED_BELOW: [f64; 3] = [1e-7, 1e-6, 1e-5];
 /// So many elements are each given a load of its own where the iteration has missed a mode, once,
 /// and once more.
 const LOADED_ELEMENTS: [usize; 2] = [16, 64];
-/// Most multiplications of one solve: where they are used up, what was found is the answer, and its
-/// error says how good it is. Ordinary blades need a hundredth.
-const MOST_WORK: f64 = 4e8;
+/// Most multiplications of one solve, about: where they are used up, what was found is the answer, and
+/// its error says how good it is. Ordinary blades need a hundredth.
+const MOST_WORK: f64 = 2.5e8;
+
+/// What is left to spend on one degree of freedom, in multiplications: the bound on the time of a solve.
+#[derive(Clone, Copy, Debug)]
+pub struct Work {
+    left: f64,
+}
+
+impl Default for Work {
+    fn default() -> Self {
+        Self { left: MOST_WORK }
+    }
+}
+
+impl Work {
+    /// Takes off what was done.
+    pub fn spend(&mut self, multiplications: f64) {
+        self.left -= multiplications;
+    }
+
+    /// What is left; not above 0 where all is spent.
+    pub fn left(&self) -> f64 {
+        self.left
+    }
+}
 
 /// The lowest modes of one degree of freedom over a range of rotor speeds, as a few functions.
 #[derive(Clone, Debug)]
@@ -112,13 +138,18 @@ impl Converged {
     ///
     /// # Errors
     /// [`EigenError`].
-    pub fn new(blade: &Blade, dof: Dof, wanted: &Wanted, rules: &GaussRules) -> Result<Self, EigenError> {
+    pub fn new(
+        blade: &Blade,
+        dof: Dof,
+        wanted: &Wanted,
+        rules: &GaussRules,
+        work: &mut Work,
+    ) -> Result<Self, EigenError> {
         let mut layout = first_layout(blade, dof, wanted.range.1, wanted.count);
         let mut last: Option<Self> = None;
-        let mut work = 0.0;
         for _ in 0..MOST_ROUNDS {
             let elements = Elements::new(blade, dof, &layout, rules);
-            let (found, shares) = match Self::on(elements, wanted, rules, true, &mut work) {
+            let (found, shares) = match Self::on(elements, wanted, rules, true, work) {
                 Ok(found) => found,
                 // A coarser answer is better than none.
                 Err(_) if last.is_some() => break,
@@ -128,7 +159,7 @@ impl Converged {
             if last.as_ref().is_none_or(|last| error < last.error) {
                 last = Some(found);
             }
-            if error <= TOLERANCE || work > MOST_WORK || !raise(&mut layout, &shares) {
+            if error <= TOLERANCE || work.left() <= 0.0 || !raise(&mut layout, &shares) {
                 break;
             }
         }
@@ -150,23 +181,23 @@ impl Converged {
         let mut layout = first_layout(blade, dof, speed_squared, count);
         layout.orders.fill(order);
         let elements = Elements::new(blade, dof, &layout, rules);
-        Ok(Self::on(elements, &Wanted::at(speed_squared, count), rules, false, &mut 0.0)?.0)
+        Ok(Self::on(elements, &Wanted::at(speed_squared, count), rules, false, &mut Work::default())?.0)
     }
 
     /// Inverse iteration on one mesh; with the largest share that each element has in the errors.
-    /// Where `counts`, it is held against the count of eigenvalues. Adds to `work` what it took.
+    /// Where `counts`, it is held against the count of eigenvalues. Takes off `work` what it took.
     fn on(
         elements: Elements,
         wanted: &Wanted,
         rules: &GaussRules,
         counts: bool,
-        work: &mut f64,
+        work: &mut Work,
     ) -> Result<(Self, Vec<f64>), EigenError> {
         let count = wanted.count;
         let mut anchors = wanted.anchors(false);
         let start = anchors[0];
         let factor = elements.factor(start).ok_or(EigenError::NotPositiveDefinite)?;
-        let mut subspace = Subspace::new(&elements, start, MOST_WORK - *work);
+        let mut subspace = Subspace::new(&elements, start, work.left());
         subspace.start(&factor, start, if wanted.is_range() { 2 * count } else { 2 * count + 2 });
         let from_tip = FromTip::new(elements.fine_grid(), rules);
         let (mut settled, mut last) = (SETTLED, f64::INFINITY);
@@ -189,7 +220,8 @@ impl Converged {
                 error = error.max(found.check(&elements, s, count, &from_tip, &mut shares)?);
             }
             let helped = error <= WORTHWHILE * last && !subspace.is_exhausted();
-            if error > TOLERANCE && !helped && wanted.is_range() && !widened && !subspace.is_exhausted() {
+            let many = count * ANCHORS.len() > MOST_FUNCTIONS;
+            if error > TOLERANCE && !helped && wanted.is_range() && !widened && !many && !subspace.is_exhausted() {
                 (anchors, widened) = (wanted.anchors(true), true);
                 last = f64::INFINITY;
             } else if error <= TOLERANCE || !helped {
@@ -204,7 +236,7 @@ impl Converged {
                         continue;
                     }
                     None => {
-                        *work += subspace.work();
+                        work.spend(subspace.work());
                         drop(subspace);
                         return Ok((Self { elements, found, error, counted }, shares));
                     }
@@ -226,6 +258,16 @@ impl Converged {
     /// leaves the count uncertain.
     pub fn count_below(&self, eigenvalue: f64, speed_squared: f64) -> Option<usize> {
         count::below(&self.elements, eigenvalue, speed_squared)
+    }
+
+    /// The largest relative error of the `count` lowest eigenvalues at one Ω².
+    ///
+    /// # Errors
+    /// [`EigenError`].
+    pub fn error_at(&self, speed_squared: f64, count: usize, rules: &GaussRules) -> Result<f64, EigenError> {
+        let from_tip = FromTip::new(self.grid(), rules);
+        let mut shares = vec![0.0; self.elements.mesh.orders().len()];
+        self.found.check(&self.elements, speed_squared, count, &from_tip, &mut shares)
     }
 
     /// How good any mode within these functions is, at any speed.

@@ -10,11 +10,12 @@
 //! in ln(1 + Ω²/bend) with the nearest such point as the bend: it moves that point far away.
 
 use crate::lagrange::SystemMatrices;
-use crate::modes::{Mode, SolveError, eigenvalues};
+use crate::modes::{Mode, SolveError, eigenvalues, solve};
 use crate::numerics::chebyshev::{interpolate, node, slopes};
 use crate::numerics::scalar::{exp_m1, ln_1p, maximum};
 use alloc::vec;
 use alloc::vec::Vec;
+use core::cell::{Cell, RefCell};
 
 /// Relative error of λ accepted between the nodes; ω has half of it.
 const TOLERANCE: f64 = 1e-10;
@@ -30,6 +31,8 @@ const LAST_DEGREE: usize = 32;
 const CHECKS: [f64; 2] = [0.013, 0.47];
 /// Most pieces; the last ones are taken as they are.
 const MOST_PIECES: usize = 64;
+/// Multiplications of an eigenproblem, by the cube of its order.
+const PER_CUBE: f64 = 15.0;
 /// Bounds of the bend of the scale as a share of the highest Ω²: outside them it is straight, or
 /// rest is all there is of it.
 const BEND: (f64, f64) = (1e-12, 1e3);
@@ -44,6 +47,7 @@ pub struct Curves {
     /// stays away from 0.
     rigid: bool,
     error: f64,
+    work: f64,
 }
 
 /// The scale t = ln(1 + s/bend) of s = Ω² on which the branches are smooth.
@@ -94,10 +98,42 @@ impl Curves {
     ///
     /// # Errors
     /// [`SolveError`].
-    pub fn fit(matrices: &SystemMatrices, at_rest: &[Mode], from: f64, to: f64) -> Result<Self, SolveError> {
+    pub fn fit(matrices: &SystemMatrices, at_rest: &[Mode], from: f64, to: f64, work: f64) -> Result<Self, SolveError> {
         let rigid = !matrices.rigid().is_empty();
-        let row = |s: f64| row(matrices, at_rest, s, rigid);
-        Self::through(at_rest.len(), rigid, Scale::new(at_rest, to), (from, to), row)
+        let row = |s: f64| row(at_rest, s, rigid, || eigenvalues(matrices, s, at_rest.len()));
+        Self::through(at_rest.len(), rigid, Scale::new(at_rest, to), (from, to), limit(matrices, work), row)
+    }
+
+    /// The same with `error`, the relative error of a mode at Ω², looked at wherever the curves are
+    /// solved for: close enough for curves to pass through, so nothing can go wrong between. Returned
+    /// beside the curves is the largest error of each of those Ω².
+    ///
+    /// # Errors
+    /// [`SolveError`].
+    pub fn fit_checked(
+        matrices: &SystemMatrices,
+        at_rest: &[Mode],
+        (from, to): (f64, f64),
+        work: f64,
+        error: impl Fn(&Mode, f64) -> f64,
+    ) -> Result<(Self, Vec<(f64, f64)>), SolveError> {
+        let rigid = !matrices.rigid().is_empty();
+        let checked = RefCell::new(Vec::new());
+        let check = |modes: &[Mode], s: f64| {
+            let worst = modes.iter().map(|mode| error(mode, s)).fold(0.0, maximum);
+            checked.borrow_mut().push((s, worst));
+        };
+        check(at_rest, 0.0);
+        let row = |s: f64| {
+            row(at_rest, s, rigid, || {
+                let modes = solve(matrices, s, at_rest.len())?;
+                check(&modes, s);
+                Ok(modes.iter().map(|mode| mode.eigenvalue).collect())
+            })
+        };
+        let curves =
+            Self::through(at_rest.len(), rigid, Scale::new(at_rest, to), (from, to), limit(matrices, work), row)?;
+        Ok((curves, checked.into_inner()))
     }
 
     /// Curves through what `row` gives at any Ω²: a number for each branch.
@@ -106,10 +142,16 @@ impl Curves {
         rigid: bool,
         scale: Scale,
         (from, to): (f64, f64),
+        limit: Limit,
         row: impl Fn(f64) -> Result<Vec<f64>, E>,
     ) -> Result<Self, E> {
         let row = |t: f64| row(scale.speed_squared(t));
-        let mut curves = Self { scale, pieces: Vec::new(), branches, rigid, error: 0.0 };
+        let mut curves = Self { scale, pieces: Vec::new(), branches, rigid, error: 0.0, work: 0.0 };
+        let evaluations = Cell::new(0_usize);
+        let row = |t: f64| {
+            evaluations.set(evaluations.get() + 1);
+            row(t)
+        };
         let mut waiting = vec![(scale.at(from), scale.at(to))];
         while let Some((from, to)) = waiting.pop() {
             let mut piece = Piece {
@@ -122,7 +164,7 @@ impl Curves {
                 let enough = coarse_error < TOLERANCE
                     || (coarse_error < COARSE_TOLERANCE && piece.error(from, to, row)? < TOLERANCE);
                 let middle = 0.5 * (from + to);
-                let last = curves.pieces.len() + waiting.len() >= MOST_PIECES || middle <= from || middle >= to;
+                let last = curves.pieces.len() + waiting.len() >= limit.pieces || middle <= from || middle >= to;
                 if enough || (last && piece.nodes.len() > LAST_DEGREE) {
                     if !enough {
                         curves.error = maximum(curves.error, piece.error(from, to, row)?);
@@ -137,7 +179,13 @@ impl Curves {
                 }
             }
         }
+        curves.work = limit.each * evaluations.get() as f64;
         Ok(curves)
+    }
+
+    /// About how many multiplications the fit took.
+    pub fn work(&self) -> f64 {
+        self.work
     }
 
     /// The largest relative error of λ found where the curves were left as they are; 0 where they
@@ -240,16 +288,39 @@ impl Piece {
     }
 }
 
+/// What a fit may take.
+#[derive(Clone, Copy, Debug)]
+struct Limit {
+    pieces: usize,
+    /// Multiplications of one eigenproblem.
+    each: f64,
+}
+
+fn limit(matrices: &SystemMatrices, work: f64) -> Limit {
+    let n = matrices.count() as f64;
+    let each = PER_CUBE * n * n * n;
+    // The largest piece has been solved at twice its degree and at the ends of the check.
+    let evaluations = work / each;
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 1 and 64")]
+    let pieces = (evaluations / (2 * LAST_DEGREE + 3) as f64).clamp(1.0, MOST_PIECES as f64) as usize;
+    Limit { pieces, each }
+}
+
 /// What is interpolated: every λ at Ω² = `s`, the rigid branch's divided by Ω². At rest that ratio
 /// is dλ/dΩ², the Southwell coefficient.
-fn row(matrices: &SystemMatrices, at_rest: &[Mode], s: f64, rigid: bool) -> Result<Vec<f64>, SolveError> {
+fn row(
+    at_rest: &[Mode],
+    s: f64,
+    rigid: bool,
+    solved: impl Fn() -> Result<Vec<f64>, SolveError>,
+) -> Result<Vec<f64>, SolveError> {
     if s <= 0.0 {
         let value = |(index, mode): (usize, &Mode)| {
             if rigid && index == 0 { maximum(mode.southwell, 0.0) } else { mode.eigenvalue }
         };
         return Ok(at_rest.iter().enumerate().map(value).collect());
     }
-    let mut values = eigenvalues(matrices, s, at_rest.len())?;
+    let mut values = solved()?;
     if let Some(first) = values.first_mut().filter(|_| rigid) {
         // 0 at every speed where nothing pulls, else dλ/dΩ² at small ones.
         *first /= s;
