@@ -2,6 +2,7 @@
 
 use crate::table::{Cell, decimals, significant};
 use bladefan_core::functions::BasisFamily;
+use bladefan_core::units;
 
 /// Bounds further apart than this share of the frequency do not hold three digits: not converged.
 const CONVERGED: f64 = 1e-3;
@@ -59,12 +60,7 @@ pub(super) fn advice(family: BasisFamily, modes: impl IntoIterator<Item = Option
 
 /// `value` against `reference` [%].
 pub(crate) fn percent(value: Option<f64>, reference: Option<f64>) -> Option<f64> {
-    let (value, reference) = (value?, reference?);
-    // A frequency of zero is met or it is not.
-    if value == 0.0 && reference == 0.0 {
-        return Some(0.0);
-    }
-    Some(100.0 * (value / reference - 1.0)).filter(|percent| percent.is_finite())
+    units::percent(value?, reference?)
 }
 
 /// A difference [%] with its sign.

@@ -123,11 +123,6 @@ fn margins(chart: &FanChart) -> Table {
     table
 }
 
-fn in_band(chart: &FanChart, settings: &Settings, speed: f64) -> bool {
-    let ratio = speed / chart.nominal.speed_rad_s;
-    settings.band.0 <= ratio && ratio <= settings.band.1
-}
-
 /// All crossings: a row for each branch that has any, a column for each ray.
 fn all(chart: &FanChart, settings: &Settings) -> Table {
     let rays = (1..=chart.harmonics).map(|harmonic| (format!("{harmonic}P"), Align::Point));
@@ -141,7 +136,7 @@ fn all(chart: &FanChart, settings: &Settings) -> Table {
             let here = chart.crossings.iter().filter(|at| at.label == branch.label && at.harmonic == harmonic);
             let speeds: Vec<String> = here
                 .map(|at| {
-                    let mark = if in_band(chart, settings, at.speed_rad_s) { "*" } else { "" };
+                    let mark = if chart.in_band(at.speed_rad_s, settings.band) { "*" } else { "" };
                     format!("{}{mark}", significant(rpm(at.speed_rad_s), 4))
                 })
                 .collect();
@@ -167,7 +162,7 @@ fn near(chart: &FanChart, settings: &Settings) -> Table {
         ("frequency\n[rad/s]", Align::Point),
         ("\n[Hz]", Align::Point),
     ]);
-    for at in chart.crossings.iter().filter(|at| in_band(chart, settings, at.speed_rad_s)) {
+    for at in chart.crossings_in(settings.band) {
         table.row([
             Cell::label(&at.label, dof(chart, &at.label)),
             Cell::text(format!("{}P", at.harmonic)),
