@@ -1,9 +1,8 @@
 //! Measured points beside the solver's answer at the same rotor speed.
 
-use super::basis::{Basis, solve};
-use super::{Settings, frequency, label, none, unsolvable};
+use super::fitted::fitted;
+use super::{Settings, frequency, label, none};
 use crate::blade::Blade;
-use crate::fan::Curves;
 use crate::fault::Fault;
 use crate::numerics::quadrature::GaussRules;
 use crate::report::{ComparedPoint, MeasuredPoint};
@@ -31,9 +30,7 @@ pub fn compare(blade: &Blade, points: &[MeasuredPoint], settings: &Settings) -> 
             points.iter().enumerate().filter_map(|(index, point)| Some((index, branch(point)?))).collect();
         let squares = own.iter().map(|&(index, _)| points[index].speed_rad_s * points[index].speed_rad_s);
         let (Some(from), Some(to)) = (squares.clone().reduce(f64::min), squares.reduce(f64::max)) else { continue };
-        let basis = Basis::new(blade, dof, settings, (from, to), settings.modes, &rules)?;
-        let at_rest = solve(basis.matrices(), 0.0, settings.modes)?;
-        let curves = Curves::fit(basis.matrices(), &at_rest, from, to).map_err(unsolvable)?;
+        let curves = fitted(blade, dof, settings, (from, to), to, &rules)?.curves;
         for (index, branch) in own {
             let speed = points[index].speed_rad_s;
             computed[index] = curves.eigenvalues(speed * speed).get(branch).map(|&value| frequency(value));

@@ -15,7 +15,7 @@ use crate::numerics::scalar::{maximum, pow};
 use alloc::vec::Vec;
 
 /// Most times the functions are made anew with more speeds among those that they are found at.
-const MOST_ATTEMPTS: usize = 6;
+const MOST_ATTEMPTS: usize = 8;
 /// Speeds that are added at a time.
 const ADDED: usize = 3;
 /// Speeds at which what the sums of products say is looked at closely, the worst first.
@@ -26,8 +26,8 @@ const APART: f64 = 0.05;
 /// With more functions the eigenproblems of a fit are solved without vectors, and the error is looked at
 /// in a few places.
 const CHECKED_EVERYWHERE: usize = 60;
-/// A fit may take one part in so many of what is left.
-const SHARE_OF_A_FIT: f64 = 2.0;
+/// A relative error from which on curves are not worth fitting.
+const POOR: f64 = 1e2 * TOLERANCE;
 
 /// Branches of one degree of freedom.
 pub(super) struct Fitted {
@@ -49,43 +49,44 @@ pub(super) fn fitted(
     rules: &GaussRules,
 ) -> Result<Fitted, Vec<Fault>> {
     let mut also_at: Vec<f64> = Vec::new();
-    let mut best: Option<Fitted> = None;
-    let mut work = Work::default();
-    for _ in 0..MOST_ATTEMPTS {
+    let mut work = Work::for_range();
+    let mut attempt = 0;
+    loop {
+        attempt += 1;
         let wanted = Wanted { range: (0.0, highest), count: settings.modes, also_at: &also_at };
         let basis = Basis::new(blade, dof, settings, &wanted, rules, &mut work)?;
         let at_rest = solve(basis.matrices(), 0.0, settings.modes)?;
+        let fit = || Curves::fit(basis.matrices(), &at_rest, range.0, range.1, work.left()).map_err(unsolvable);
         let Basis::Piecewise(converged) = &basis else {
-            let curves = Curves::fit(basis.matrices(), &at_rest, range.0, range.1, work.left()).map_err(unsolvable)?;
+            let curves = fit()?;
             let error = curves.error();
             return Ok(Fitted { basis, at_rest, curves, error });
         };
-        let most = work.left() / SHARE_OF_A_FIT;
-        let solved = if basis.matrices().count() <= CHECKED_EVERYWHERE {
+        let many = basis.matrices().count() + ADDED * settings.modes > MOST_FUNCTIONS;
+        let last = attempt == MOST_ATTEMPTS || many || work.left() <= 0.0;
+        let (curves, checked) = if basis.matrices().count() <= CHECKED_EVERYWHERE {
             let residuals = converged.residuals(rules);
             let error = |mode: &Mode, s: f64| residuals.error(mode.coordinates.as_slice(), mode.eigenvalue, s);
-            Curves::fit_checked(basis.matrices(), &at_rest, range, most, error)
+            let poor = if last { f64::INFINITY } else { POOR };
+            Curves::fit_checked(basis.matrices(), &at_rest, range, work.left(), poor, error).map_err(unsolvable)?
         } else {
-            let curves = Curves::fit(basis.matrices(), &at_rest, range.0, range.1, most);
-            curves.map(|curves| (curves, sample(range)))
+            (None, sample(range))
         };
-        let (curves, checked) = solved.map_err(unsolvable)?;
-        work.spend(curves.work());
         let (worst, poor) = poor(converged, checked, settings.modes, rules)?;
-        let error = maximum(maximum(basis.error(), curves.error()), worst);
         let known = also_at.len();
         also_at.extend(poor);
-        let many = basis.matrices().count() + ADDED * settings.modes > MOST_FUNCTIONS;
-        let enough = error <= TOLERANCE || also_at.len() == known || many || work.left() <= 0.0;
-        if best.as_ref().is_none_or(|best| error < best.error || best.error.is_nan()) {
-            best = Some(Fitted { basis, at_rest, curves, error });
+        let better = also_at.len() > known && !last;
+        if better {
+            work.spend(curves.map_or(0.0, |curves| curves.work()));
+            continue;
         }
-        if enough {
-            break;
-        }
+        let curves = match curves {
+            Some(curves) => curves,
+            None => fit()?,
+        };
+        let error = maximum(maximum(basis.error(), curves.error()), worst);
+        return Ok(Fitted { basis, at_rest, curves, error });
     }
-    // The first attempt is there at least.
-    best.ok_or_else(Vec::new)
 }
 
 /// The largest error at the Ω² that were looked at, and where the functions are to be better.

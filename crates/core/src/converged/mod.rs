@@ -69,6 +69,11 @@ impl Default for Work {
 }
 
 impl Work {
+    /// For a range of rotor speeds.
+    pub const fn for_range() -> Self {
+        Self { left: 1.8 * MOST_WORK }
+    }
+
     /// Takes off what was done.
     pub fn spend(&mut self, multiplications: f64) {
         self.left -= multiplications;

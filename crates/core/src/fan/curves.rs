@@ -104,9 +104,10 @@ impl Curves {
         Self::through(at_rest.len(), rigid, Scale::new(at_rest, to), (from, to), limit(matrices, work), row)
     }
 
-    /// The same with `error`, the relative error of a mode at Ω², looked at wherever the curves are
-    /// solved for: close enough for curves to pass through, so nothing can go wrong between. Returned
-    /// beside the curves is the largest error of each of those Ω².
+    /// The same with `error`, the relative error of a mode at Ω², looked at wherever the curves are solved
+    /// for: close enough for curves to pass through, so nothing can go wrong between. Returned are the
+    /// largest error of each of those Ω², and the curves; none where the error of one is above `poor`, as
+    /// soon as the range has been seen once.
     ///
     /// # Errors
     /// [`SolveError`].
@@ -115,8 +116,9 @@ impl Curves {
         at_rest: &[Mode],
         (from, to): (f64, f64),
         work: f64,
+        poor: f64,
         error: impl Fn(&Mode, f64) -> f64,
-    ) -> Result<(Self, Vec<(f64, f64)>), SolveError> {
+    ) -> Result<(Option<Self>, Vec<(f64, f64)>), SolveError> {
         let rigid = !matrices.rigid().is_empty();
         let checked = RefCell::new(Vec::new());
         let check = |modes: &[Mode], s: f64| {
@@ -125,14 +127,24 @@ impl Curves {
         };
         check(at_rest, 0.0);
         let row = |s: f64| {
+            let seen = checked.borrow();
+            if seen.len() > 2 * FIRST_DEGREE && seen.iter().any(|(_, error)| !(*error <= poor)) {
+                return Err(Stop::Poor);
+            }
+            drop(seen);
             row(at_rest, s, rigid, || {
                 let modes = solve(matrices, s, at_rest.len())?;
                 check(&modes, s);
                 Ok(modes.iter().map(|mode| mode.eigenvalue).collect())
             })
+            .map_err(Stop::Solve)
         };
-        let curves =
-            Self::through(at_rest.len(), rigid, Scale::new(at_rest, to), (from, to), limit(matrices, work), row)?;
+        let scale = Scale::new(at_rest, to);
+        let curves = match Self::through(at_rest.len(), rigid, scale, (from, to), limit(matrices, work), row) {
+            Ok(curves) => Some(curves),
+            Err(Stop::Poor) => None,
+            Err(Stop::Solve(error)) => return Err(error),
+        };
         Ok((curves, checked.into_inner()))
     }
 
@@ -288,6 +300,12 @@ impl Piece {
     }
 }
 
+/// Why a fit ends before its end.
+enum Stop {
+    Poor,
+    Solve(SolveError),
+}
+
 /// What a fit may take.
 #[derive(Clone, Copy, Debug)]
 struct Limit {
@@ -333,7 +351,9 @@ impl Curves {
     /// Of made-up branches λ(Ω²).
     pub(super) fn of_functions(branches: usize, (from, to): (f64, f64), row: impl Fn(f64) -> Vec<f64>) -> Self {
         let row = |s: f64| -> Result<Vec<f64>, core::convert::Infallible> { Ok(row(s)) };
-        Self::through(branches, false, Scale { bend: to }, (from, to), row).unwrap_or_else(|never| match never {})
+        let limit = Limit { pieces: MOST_PIECES, each: 1.0 };
+        Self::through(branches, false, Scale { bend: to }, (from, to), limit, row)
+            .unwrap_or_else(|never| match never {})
     }
 }
 
