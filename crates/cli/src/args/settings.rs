@@ -3,9 +3,10 @@
 
 use super::{ConvergeArgs, FamilyArgs, FanArgs, Format, ModesArgs, ShapesArgs, SolverArgs};
 use crate::failure::Failure;
-use bladefan_core::analysis::{BasisFamily, Settings};
+use bladefan_core::analysis::Settings;
 use bladefan_core::chart::parse_frequencies;
 use bladefan_core::fault::{Fault, Warning};
+use bladefan_core::functions::BasisFamily;
 
 /// Options by the names that the core knows them by.
 type Given<'a> = Vec<(&'static str, &'a Option<String>)>;

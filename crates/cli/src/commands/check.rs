@@ -10,7 +10,8 @@ use crate::render::numbers::short;
 use crate::render::table::{Align, Cell, Table};
 use crate::render::text::wrap;
 use crate::render::{csv, json};
-use bladefan_core::analysis::{self, BladeSummary};
+use bladefan_core::analysis;
+use bladefan_core::report::BladeSummary;
 
 pub(super) fn run(args: &CheckArgs) -> Result<Output, Failure> {
     let input = input::load(&args.blade.blade)?;

@@ -9,9 +9,11 @@ use crate::render::accuracy::{Bounded, advice, bounds_cell, difference_cell, err
 use crate::render::heading::{heading, speed};
 use crate::render::table::{Align, Cell, Table};
 use crate::render::{csv, json, picture};
-use bladefan_core::analysis::{self, BasisFamily, ConvergeReport, ConvergeSeries, Settings};
+use bladefan_core::analysis::{self, Settings};
 use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::dof::Dof;
+use bladefan_core::functions::BasisFamily;
+use bladefan_core::report::{ConvergeReport, ConvergeSeries};
 use core::fmt::Write as _;
 
 /// Numbers of classical functions whose errors are shown, beside the largest.

@@ -10,7 +10,9 @@ use crate::render::columns::{MARGIN_COLUMNS, MODE_COLUMNS, margin_cells, own};
 use crate::render::heading::{basis, heading, speed};
 use crate::render::table::{Align, Cell, Table};
 use crate::render::{csv, json};
-use bladefan_core::analysis::{self, BasisFamily, ModeReport, ModesReport};
+use bladefan_core::analysis;
+use bladefan_core::functions::BasisFamily;
+use bladefan_core::report::{ModeReport, ModesReport};
 
 pub(super) fn run(args: &ModesArgs) -> Result<Output, Failure> {
     let settings = args.settings()?;

@@ -10,9 +10,10 @@ use crate::render::heading::{basis, heading, speed};
 use crate::render::numbers::{decimals, significant};
 use crate::render::table::{Align, Cell, Table};
 use crate::render::{csv, json, picture};
-use bladefan_core::analysis::{self, Settings, ShapeScale, ShapesReport};
+use bladefan_core::analysis::{self, Settings, ShapeScale};
 use bladefan_core::chart;
 use bladefan_core::dof::Dof;
+use bladefan_core::report::ShapesReport;
 
 /// Most radii of the table.
 const RADII: usize = 11;

@@ -4,7 +4,7 @@ use super::progress;
 use crate::failure::{Failure, reason};
 use bladefan_core::blade::Blade;
 use bladefan_core::fault::Fault;
-use bladefan_core::file::{self, BladeFile, Format};
+use bladefan_core::formats::{self, BladeFile, Format};
 use bladefan_core::library;
 use std::fs::File;
 use std::io::{self, ErrorKind, Read};
@@ -51,7 +51,7 @@ struct Source {
 /// in this folder, in this order.
 pub(crate) fn load(blade: &str) -> Result<Input, Failure> {
     let source = find(blade)?;
-    match file::read(&source.text, source.format) {
+    match formats::read(&source.text, source.format) {
         Ok(file) => Ok(Input { name: source.name, file, path: source.path }),
         Err(faults) => Err(Failure::faults(&source.name, &faults)),
     }

@@ -2,14 +2,14 @@
 
 use super::input::read_text;
 use crate::failure::Failure;
-use bladefan_core::analysis::MeasuredPoint;
-use bladefan_core::file;
+use bladefan_core::formats;
+use bladefan_core::report::MeasuredPoint;
 use std::path::Path;
 
 /// Reads measured points.
 pub(crate) fn read(path: &Path) -> Result<Vec<MeasuredPoint>, Failure> {
     let text = read_text(path)?;
-    file::measured::read(&text).map_err(|faults| Failure::faults(&path.display().to_string(), &faults))
+    formats::measured::read(&text).map_err(|faults| Failure::faults(&path.display().to_string(), &faults))
 }
 
 #[cfg(test)]

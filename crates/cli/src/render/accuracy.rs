@@ -3,7 +3,7 @@
 use super::numbers::{decimals, significant};
 use super::table::Cell;
 use super::text::wrap;
-use bladefan_core::analysis::BasisFamily;
+use bladefan_core::functions::BasisFamily;
 
 /// Bounds further apart than this share of the frequency do not hold three digits: not converged.
 const CONVERGED: f64 = 1e-3;

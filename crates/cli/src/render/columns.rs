@@ -1,7 +1,7 @@
 //! Columns and rows that several tables share.
 
 use super::table::{Align, Cell};
-use bladefan_core::analysis::Margin;
+use bladefan_core::report::Margin;
 
 /// Headers of a mode at one rotor speed.
 pub(crate) const MODE_COLUMNS: [(&str, Align); 4] =

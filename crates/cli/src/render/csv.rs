@@ -8,9 +8,8 @@
 use super::accuracy::percent;
 use super::text::visible;
 use crate::failure::Failure;
-use bladefan_core::analysis::{
-    BasisFamily, BladeSummary, ConvergeReport, ConvergeSeries, FanChart, ModesReport, ShapesReport,
-};
+use bladefan_core::functions::BasisFamily;
+use bladefan_core::report::{BladeSummary, ConvergeReport, ConvergeSeries, FanChart, ModesReport, ShapesReport};
 use core::fmt::Display;
 use csv::{QuoteStyle, WriterBuilder};
 
@@ -207,8 +206,8 @@ pub(crate) fn blades<'a>(rows: impl Iterator<Item = [&'a str; 4]>) -> Result<Str
 #[cfg(test)]
 mod tests {
     use super::*;
-    use bladefan_core::analysis::DofSummary;
     use bladefan_core::dof::Dof;
+    use bladefan_core::report::DofSummary;
 
     /// A list of one blade, without its header.
     fn listed(row: [&str; 4]) -> String {

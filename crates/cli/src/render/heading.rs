@@ -2,8 +2,10 @@
 
 use super::numbers::short;
 use super::text::wrap;
-use bladefan_core::analysis::{BasisFamily, BasisReport, MODEL};
+use bladefan_core::analysis::MODEL;
 use bladefan_core::dof::Dof;
+use bladefan_core::functions::BasisFamily;
+use bladefan_core::report::BasisReport;
 use bladefan_core::units;
 use unicode_width::UnicodeWidthStr;
 
@@ -41,7 +43,7 @@ pub(crate) fn basis(report: &BasisReport) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use bladefan_core::analysis::FunctionCounts;
+    use bladefan_core::report::FunctionCounts;
 
     #[test]
     fn functions_and_model_share_a_line_where_there_is_room() {
