@@ -124,7 +124,6 @@ impl ConvergeArgs {
 #[cfg(test)]
 mod tests {
     use super::super::{Cli, Command};
-    use super::*;
     use clap::Parser;
 
     /// What is said of options that do nothing in `bladefan fan uniform …`.

@@ -90,9 +90,7 @@ pub(crate) fn read_text(path: &Path) -> Result<String, Failure> {
     })?;
     // What is no file, a pipe say, has no size before it is read.
     match file.metadata() {
-        Ok(data) if data.is_file() && data.len() > MOST => {
-            Err(too_large(&name, &format!("is {:.1} MB", data.len() as f64 / 1e6)))
-        }
+        Ok(data) if data.is_file() && data.len() > MOST => Err(too_large(&name, &format!("is {} bytes", data.len()))),
         _ => decode(&name, bytes(&name, file)?),
     }
 }
@@ -157,7 +155,7 @@ mod tests {
         let path = folder.path().join("large.toml");
         // A file with a hole: its size is what it says.
         File::create(&path).unwrap().set_len(1 << 40).unwrap();
-        let message = format!("{}: must be at most 64 MB long (is 1099511.6 MB)", path.display());
+        let message = format!("{}: must be at most 64 MB long (is 1099511627776 bytes)", path.display());
         assert_eq!(read_text(&path).unwrap_err().lines(), [message]);
     }
 

@@ -54,6 +54,6 @@ mod tests {
         let mut table = Table::new(MARGIN_COLUMNS);
         table.row(margin_cells(Some(&margin)));
         table.row(margin_cells(None));
-        assert_eq!(table.render(100), "          margin\nnearest   [/rev]\n3P        -0.311\n-         -\n");
+        assert_eq!(table.render(100), "          margin\nnearest   [/rev]\n3P        -0.311\n-          -\n");
     }
 }

@@ -35,6 +35,6 @@ mod tests {
 
     #[test]
     fn numbers_are_the_shortest_that_read_back() {
-        assert_eq!(line(&[0.1, 1e300, 1.0 / 3.0, -0.0]).unwrap(), "[0.1,1e300,0.3333333333333333,-0.0]\n");
+        assert_eq!(line(&[0.1, 1e20, 1.0 / 3.0, -0.0]).unwrap(), "[0.1,1e+20,0.3333333333333333,-0.0]\n");
     }
 }
