@@ -33,13 +33,14 @@ fn table(summary: &BladeSummary, width: usize) -> String {
         count => format!("{count} warnings"),
     };
     let blades = summary.blades.map(|count| format!("{count} blades, ")).unwrap_or_default();
-    let mut text = format!(
-        "{}: no faults, {warnings}\nradius {} m, nominal speed {}, {blades}{} stations\n\n",
-        wrap(&summary.blade, 0, width - 30),
+    let first = format!("{}: no faults, {warnings}", summary.blade);
+    let second = format!(
+        "radius {} m, nominal speed {}, {blades}{} stations",
         short(summary.radius_m, 5),
         speed(summary.nominal_speed_rad_s),
         summary.stations
     );
+    let mut text = format!("{}\n{}\n\n", wrap(&first, 0, width), wrap(&second, 0, width));
     let mut table = Table::new([
         ("", Align::Left),
         ("root", Align::Left),

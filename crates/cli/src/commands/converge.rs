@@ -8,6 +8,7 @@ use crate::io::output::{self, Output};
 use crate::render::accuracy::{Bounded, advice, bounds_cell, difference_cell, error_cell, percent};
 use crate::render::heading::{heading, speed};
 use crate::render::table::{Align, Cell, Table};
+use crate::render::text::wrap;
 use crate::render::{csv, json, picture};
 use bladefan_core::analysis::{self, Settings};
 use bladefan_core::chart::{self, ChartOptions};
@@ -48,13 +49,15 @@ fn table(report: &ConvergeReport, width: usize) -> String {
     let mut text = heading(&report.blade, &format!("convergence at {}", speed(report.speed_rad_s)), &functions, width);
     text += &frequencies(report, paper.min(most)).render(width);
     text += &advice(BasisFamily::Piecewise, report.series.iter().map(bounded), width);
-    text += "\nError [%] of N classical functions against the converged frequency\n";
-    text += &classical(report, most).render(width);
+    let mut section = |title: &str, table: &Table| {
+        // Writing to a string does not fail.
+        let _ = write!(text, "\n{}\n{}", wrap(title, 0, width), table.render(width));
+    };
+    section("Error [%] of N classical functions against the converged frequency", &classical(report, most));
     for dof in Dof::ALL {
         let series: Vec<_> = report.series.iter().filter(|series| series.dof == dof).collect();
         if !series.is_empty() {
-            // Writing to a string does not fail.
-            let _ = write!(text, "\nError [%] of N piecewise functions, {dof}\n{}", piecewise(&series).render(width));
+            section(&format!("Error [%] of N piecewise functions, {dof}"), &piecewise(&series));
         }
     }
     text

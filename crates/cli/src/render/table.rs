@@ -96,35 +96,55 @@ impl Table {
     /// the first column once more.
     pub(crate) fn render(&self, width: usize) -> String {
         let head = self.headers.iter().map(|(header, _)| header.lines().count()).max().unwrap_or(0);
-        let column = |(index, (header, align)): (usize, &(String, Align))| {
-            Column::new(header, head, *align, self.rows.iter().filter_map(move |row| row.get(index)))
+        let column = |index: usize, header: &str, align: Align| {
+            Column::new(header, head, align, self.rows.iter().filter_map(|row| row.get(index)))
         };
-        let columns: Vec<Column> = self.headers.iter().enumerate().map(column).collect();
-        let Some((first, rest)) = columns.split_first() else { return String::new() };
-        let mut parts: Vec<(usize, Vec<&Column>)> = Vec::new();
-        for column in rest {
-            let wider = GAP.len() + column.width;
+        let mut headers = self.headers.iter().enumerate();
+        let Some((_, (name, align))) = headers.next() else { return String::new() };
+        let first = column(0, name, *align);
+        let mut parts: Vec<(usize, Vec<Column>)> = Vec::new();
+        for (index, (header, align)) in headers {
+            let next = column(index, header, *align);
+            let wider = GAP.len() + next.width;
             match parts.last_mut() {
                 Some((taken, part)) if *taken + wider <= width => {
                     *taken += wider;
-                    part.push(column);
+                    part.push(next);
                 }
-                _ => parts.push((first.width + wider, vec![first, column])),
+                _ => {
+                    let next = column(index, &self.whole_header(index), *align);
+                    parts.push((first.width + GAP.len() + next.width, vec![first.clone(), next]));
+                }
             }
         }
-        let line = |part: &[&Column], line: usize| {
-            let cells: Vec<&str> =
-                part.iter().map(|column| column.lines.get(line).map_or("", String::as_str)).collect();
-            format!("{}\n", cells.join(GAP).trim_end())
-        };
         let lines = head + self.rows.len();
-        let parts: Vec<String> =
-            parts.iter().map(|(_, part)| (0..lines).map(|at| line(part, at)).collect::<String>()).collect();
+        let parts: Vec<String> = parts.iter().map(|(_, part)| part_text(part, head, lines)).collect();
         parts.join("\n")
+    }
+
+    /// The header of a column that stands first in its part: one that shares the first line of the
+    /// column before has it to itself.
+    fn whole_header(&self, index: usize) -> String {
+        let header = |index: usize| self.headers.get(index).map_or("", |(header, _)| header.as_str());
+        let shared = (0..=index).rev().map(header).find(|header| !header.starts_with('\n'));
+        match shared.and_then(|shared| shared.lines().next()) {
+            Some(line) if header(index).starts_with('\n') => format!("{line}{}", header(index)),
+            _ => header(index).into(),
+        }
     }
 }
 
+/// Columns side by side, without lines above the headers that are in none of them.
+fn part_text(part: &[Column], head: usize, lines: usize) -> String {
+    let line = |at: usize| {
+        let cells: Vec<&str> = part.iter().map(|column| column.lines.get(at).map_or("", String::as_str)).collect();
+        format!("{}\n", cells.join(GAP).trim_end())
+    };
+    (0..lines).map(line).enumerate().skip_while(|(at, line)| *at < head && line == "\n").map(|(_, line)| line).collect()
+}
+
 /// A column's lines, padded to one width: `head` of them are the header, the rest the cells.
+#[derive(Clone)]
 struct Column {
     width: usize,
     lines: Vec<String>,
@@ -194,6 +214,21 @@ mod tests {
         assert!(text.lines().all(|line| line.width() <= 100), "{text}");
         assert_eq!(text.matches("head00").count(), 4, "the first column stands with every part: {text}");
         assert!((0..40).all(|index| text.contains(&format!("head{index:02}"))), "{text}");
+    }
+
+    #[test]
+    fn what_goes_on_below_has_its_whole_header() {
+        let headers =
+            [("mode", Align::Left), ("speed\n[rpm]", Align::Point), ("\n[rad/s]", Align::Point), ("of", Align::Left)];
+        let mut table = Table::new(headers);
+        table.row(["1F", "660", "69", "all"].map(Cell::text));
+        assert_eq!(table.render(30), "       speed\nmode   [rpm]   [rad/s]   of\n1F       660        69   all\n");
+        let parts = [
+            "       speed\nmode   [rpm]\n1F       660\n",
+            "         speed\nmode   [rad/s]\n1F          69\n",
+            "mode   of\n1F     all\n",
+        ];
+        assert_eq!(table.render(14), parts.join("\n"));
     }
 
     #[test]
