@@ -36,7 +36,7 @@ struct List {
 pub(super) fn run(args: &BladesArgs) -> Result<Output, Failure> {
     output::check(&[], &args.result, None)?;
     match &args.name {
-        Some(name) => Ok(Output::new(one(name, args.result.format)?, &args.result).as_it_is()),
+        Some(name) => Ok(Output::new(one(name, args.result.format)?, &args.result).uncoloured()),
         None => Ok(Output::new(list(&args.result)?, &args.result)),
     }
 }
@@ -87,7 +87,9 @@ fn table(blades: &[Listed], width: usize) -> String {
         text += name;
         let mut at = name.width();
         for line in lines.into_iter().filter(|line| !line.is_empty()) {
-            text += &format!("{}{}\n", spaces(indent - at), wrap(line, indent, width));
+            text += &spaces(indent - at);
+            text += &wrap(line, indent, width);
+            text.push('\n');
             at = 0;
         }
     }

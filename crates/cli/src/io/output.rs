@@ -2,7 +2,7 @@
 //! before the first byte is written, and a file gets its name only when it is whole.
 
 use super::hold::Hold;
-use super::target::Target;
+use super::target::{Target, all};
 use crate::args::{DrawingArgs, Format, ResultArgs};
 use crate::failure::Failure;
 use std::fs::{self, OpenOptions, Permissions};
@@ -34,7 +34,7 @@ impl Output {
     }
 
     /// A text that is no table: without colours, and not searched for any.
-    pub(crate) fn as_it_is(self) -> Self {
+    pub(crate) fn uncoloured(self) -> Self {
         Self { coloured: false, ..self }
     }
 
@@ -71,26 +71,22 @@ pub(crate) fn check(
     Ok(())
 }
 
-/// Writes everything, standard output last.
+/// Writes everything: files, then what may wait for a reader, standard output last.
 pub(crate) fn write(output: &Output) -> Result<(), Failure> {
     let text = output.to.as_ref().map(|path| (path, plain(output)));
     let texts = text.iter().map(|(path, text)| (path.as_path(), text.as_bytes()));
     let drawings = output.drawings.iter().map(|(path, bytes)| (path.as_path(), bytes.as_slice()));
-    let mut files = Vec::new();
-    // Streams first: they may wait for a reader, and no file should wait half-made.
+    let (mut files, mut streams) = (Vec::new(), Vec::new());
     for (path, bytes) in texts.chain(drawings) {
-        let written = Target::of(path).and_then(|target| match target {
-            Target::File(place) => {
-                files.push(File { path, place, bytes });
-                Ok(())
-            }
-            Target::Output => all(io::stdout().lock(), bytes),
-            Target::Error => all(io::stderr().lock(), bytes),
-            Target::Stream(path) => all(OpenOptions::new().append(true).open(path)?, bytes),
-        });
-        written.map_err(|error| Failure::write(path.display(), &error))?;
+        match Target::of(path).map_err(|error| Failure::write(path.display(), &error))? {
+            Target::File(place) => files.push(File { path, place, bytes }),
+            Target::Stream(stream) => streams.push((path, stream, bytes)),
+        }
     }
     replace(&files)?;
+    for (path, stream, bytes) in streams {
+        stream.write(bytes).map_err(|error| Failure::write(path.display(), &error))?;
+    }
     if output.to.is_none() {
         let text = output.text.as_bytes();
         let written =
@@ -102,14 +98,7 @@ pub(crate) fn write(output: &Output) -> Result<(), Failure> {
 
 /// The text without colours.
 fn plain(output: &Output) -> String {
-    match output.coloured {
-        true => anstream::adapter::strip_str(&output.text).to_string(),
-        false => output.text.clone(),
-    }
-}
-
-fn all(mut stream: impl Write, bytes: &[u8]) -> io::Result<()> {
-    stream.write_all(bytes).and_then(|()| stream.flush())
+    if output.coloured { anstream::adapter::strip_str(&output.text).to_string() } else { output.text.clone() }
 }
 
 /// A file to be: its name as given, where that leads, and what goes into it.

@@ -1,7 +1,7 @@
 //! What the name of an output stands for, with links followed.
 
-use std::fs;
-use std::io;
+use std::fs::{self, OpenOptions};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Most links that are followed; systems follow fewer.
@@ -10,14 +10,36 @@ const LINKS: usize = 64;
 /// What is written to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Target {
+    /// A file, which may not exist yet: it is replaced. The path has no links.
+    File(PathBuf),
+    /// What is written into as it stands.
+    Stream(Stream),
+}
+
+/// What others may write into as well.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Stream {
     /// Standard output by a name of its own, `/dev/stdout` say.
     Output,
     /// Standard error likewise.
     Error,
-    /// A device, a pipe, or a stream open under a number: it takes what is written to its end.
-    Stream(PathBuf),
-    /// A file, which may not exist yet: it is replaced. The path has no links.
-    File(PathBuf),
+    /// A device, a pipe, or what is open under another number: it takes what is written at its end.
+    Named(PathBuf),
+}
+
+impl Stream {
+    pub(super) fn write(&self, bytes: &[u8]) -> io::Result<()> {
+        match self {
+            Self::Output => all(io::stdout().lock(), bytes),
+            Self::Error => all(io::stderr().lock(), bytes),
+            Self::Named(place) => all(OpenOptions::new().append(true).open(place)?, bytes),
+        }
+    }
+}
+
+/// Writes to the end, and says where that failed.
+pub(super) fn all(mut stream: impl Write, bytes: &[u8]) -> io::Result<()> {
+    stream.write_all(bytes).and_then(|()| stream.flush())
 }
 
 impl Target {
@@ -31,14 +53,15 @@ impl Target {
             };
             let here = folder.join(name);
             if let Some(stream) = open_stream(&folder, &here) {
-                return Ok(stream);
+                return Ok(Self::Stream(stream));
             }
             let data = match fs::symlink_metadata(&here) {
                 Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Self::File(here)),
                 data => data?,
             };
             if !data.is_symlink() {
-                return Ok(if data.is_file() || data.is_dir() { Self::File(here) } else { Self::Stream(here) });
+                let file = data.is_file() || data.is_dir();
+                return Ok(if file { Self::File(here) } else { Self::Stream(Stream::Named(here)) });
             }
             path = folder.join(fs::read_link(&here)?);
         }
@@ -48,14 +71,14 @@ impl Target {
 
 /// The stream that a name stands for where its folder lists what a program has open. A file behind
 /// such a name may hold more than this program's output, and is never replaced.
-fn open_stream(folder: &Path, here: &Path) -> Option<Target> {
+fn open_stream(folder: &Path, here: &Path) -> Option<Stream> {
     let this = Path::new("/proc").join(std::process::id().to_string());
     let listed = folder.starts_with("/proc") && folder.ends_with("fd");
     let own = folder == Path::new("/dev/fd") || listed && folder.starts_with(this);
     match here.file_name()?.to_str()? {
-        "1" if own => Some(Target::Output),
-        "2" if own => Some(Target::Error),
-        _ if own || listed => Some(Target::Stream(here.into())),
+        "1" if own => Some(Stream::Output),
+        "2" if own => Some(Stream::Error),
+        _ if own || listed => Some(Stream::Named(here.into())),
         _ => None,
     }
 }
@@ -100,12 +123,12 @@ mod tests {
 
     #[test]
     fn devices_and_pipes_are_no_files() {
-        assert_eq!(Target::of(Path::new("/dev/null")).unwrap(), Target::Stream("/dev/null".into()));
+        assert_eq!(Target::of(Path::new("/dev/null")).unwrap(), Target::Stream(Stream::Named("/dev/null".into())));
         let folder = tempfile::tempdir().unwrap();
         let pipe = fs::canonicalize(folder.path()).unwrap().join("pipe");
         nix::unistd::mkfifo(&pipe, nix::sys::stat::Mode::S_IRWXU).unwrap();
         symlink(&pipe, folder.path().join("link")).unwrap();
-        assert_eq!(Target::of(&folder.path().join("link")).unwrap(), Target::Stream(pipe));
+        assert_eq!(Target::of(&folder.path().join("link")).unwrap(), Target::Stream(Stream::Named(pipe)));
     }
 
     #[cfg(target_os = "linux")]
@@ -114,10 +137,10 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         symlink("/dev/stdout", folder.path().join("link")).unwrap();
         for path in [Path::new("/dev/stdout"), Path::new("/proc/self/fd/1"), &folder.path().join("link")] {
-            assert_eq!(Target::of(path).unwrap(), Target::Output, "{}", path.display());
+            assert_eq!(Target::of(path).unwrap(), Target::Stream(Stream::Output), "{}", path.display());
         }
-        assert_eq!(Target::of(Path::new("/dev/stderr")).unwrap(), Target::Error);
+        assert_eq!(Target::of(Path::new("/dev/stderr")).unwrap(), Target::Stream(Stream::Error));
         let other = Target::of(Path::new("/dev/fd/7")).unwrap();
-        assert!(matches!(other, Target::Stream(_)), "{other:?}");
+        assert!(matches!(other, Target::Stream(Stream::Named(_))), "{other:?}");
     }
 }

@@ -1,22 +1,35 @@
 //! Results as JSON: one line, numbers in the shortest form that reads back to the same f64.
 
 use crate::failure::Failure;
+use core::fmt::Write as _;
 use serde::Serialize;
 
 /// The result as one line.
 pub(crate) fn line(result: &impl Serialize) -> Result<String, Failure> {
     match serde_json::to_string(result) {
-        Ok(text) => Ok(escaped(&text) + "\n"),
+        Ok(mut text) => {
+            text.push('\n');
+            Ok(escaped(text))
+        }
         Err(error) => Err(Failure::Output(format!("JSON: cannot be written: {error}"))),
     }
 }
 
 /// The same JSON with every control character as `\u009b`: the library leaves U+007F to U+009F as
 /// they are, and terminals obey them. Outside strings JSON has none.
-fn escaped(json: &str) -> String {
-    let mut out = String::with_capacity(json.len() + 1);
+fn escaped(json: String) -> String {
+    let left = |letter: char| ('\u{7f}'..='\u{9f}').contains(&letter);
+    if !json.contains(left) {
+        return json;
+    }
+    let mut out = String::with_capacity(json.len());
     for letter in json.chars() {
-        if letter.is_control() { out += &format!("\\u{:04x}", u32::from(letter)) } else { out.push(letter) }
+        if left(letter) {
+            // Writing to a string does not fail.
+            let _ = write!(out, "\\u{:04x}", u32::from(letter));
+        } else {
+            out.push(letter);
+        }
     }
     out
 }

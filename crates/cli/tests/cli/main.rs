@@ -4,6 +4,7 @@
 mod faults;
 mod help;
 mod inputs;
+mod layout;
 mod names;
 mod options;
 mod outputs;

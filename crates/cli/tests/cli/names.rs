@@ -7,12 +7,15 @@ use std::fs;
 /// What a terminal would obey: clear, title, device control string, application command, 8-bit forms.
 const HOSTILE: [&str; 7] = ["\u{1b}[2J", "\u{1b}]0;x\u{7}", "\u{1b}P", "\u{1b}_", "\u{1b}]", "\u{9b}2J", "\u{7f}"];
 
+/// A text as TOML may hold it between quotes.
+fn quoted(text: &str) -> String {
+    let letters: Vec<String> = text.chars().map(|c| format!("\\u{:04x}", u32::from(c))).collect();
+    format!("\"{}\"", letters.concat())
+}
+
 /// The uniform blade under another name.
 fn named(name: &str) -> String {
-    let quoted = serde_json::to_string(name).unwrap();
-    let unicode: String =
-        quoted.chars().map(|c| if c.is_control() { format!("\\u{:04x}", u32::from(c)) } else { c.into() }).collect();
-    toml("uniform").replace("\"uniform cantilever\"", &unicode)
+    toml("uniform").replace("\"uniform cantilever\"", &quoted(name))
 }
 
 #[test]
@@ -101,11 +104,7 @@ fn messages_show_what_a_terminal_would_obey() {
         let message = run(&["fan", "uniform", "--theme", &name, "--svg", "a"]).refused();
         assert!(message.contains(&format!("'{shown}'")) && message.contains("light"), "{message:?}");
         // A key of a file, quoted so that it may hold anything.
-        let toml = format!(
-            "{}\n[\"a{}b\"]\n",
-            toml("uniform"),
-            hostile.chars().map(|c| format!("\\u{:04x}", u32::from(c))).collect::<String>()
-        );
+        let toml = format!("{}\n[{}]\n", toml("uniform"), quoted(&name));
         let message = run_with(toml, &["check", "-"]).refused();
         assert!(
             message.starts_with("<stdin>:") && !message.chars().any(|c| c.is_control() && c != '\n'),
