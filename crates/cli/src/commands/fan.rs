@@ -40,7 +40,8 @@ pub(super) fn run(args: &FanArgs) -> Result<Output, Failure> {
     warn(&args.idle(&settings));
     warn(&chart.warnings);
     let compare = |points: &Vec<_>| input.ask("comparing", |blade| analysis::compare(blade, points, &settings));
-    let compared = points.as_ref().map(compare).transpose()?;
+    // CSV holds the branches alone.
+    let compared = points.as_ref().filter(|_| args.result.format != Format::Csv).map(compare).transpose()?;
     let text = match args.result.format {
         Format::Table => table(&chart, &settings, compared.as_deref(), output::width(&args.result)),
         Format::Json => json::line(&Report { chart: &chart, measured: compared.as_deref() })?,
