@@ -1,6 +1,8 @@
 //! How good a frequency is, in words: its bounds, and how far other functions are from it.
 
-use crate::table::{Cell, decimals, significant};
+use super::numbers::{decimals, significant};
+use super::table::Cell;
+use super::text::wrap;
 use bladefan_core::functions::BasisFamily;
 use bladefan_core::units;
 
@@ -13,7 +15,7 @@ const LEAST_ERROR: f64 = 1e-10;
 
 /// A frequency between its bounds [rad/s].
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Bounded {
+pub(crate) struct Bounded {
     frequency: f64,
     lower: f64,
     upper: f64,
@@ -21,11 +23,11 @@ pub(super) struct Bounded {
 
 impl Bounded {
     /// None where a bound is not known.
-    pub(super) fn new(frequency: Option<f64>, lower: Option<f64>, upper: Option<f64>) -> Option<Self> {
+    pub(crate) fn new(frequency: Option<f64>, lower: Option<f64>, upper: Option<f64>) -> Option<Self> {
         Some(Self { frequency: frequency?, lower: lower?, upper: upper? })
     }
 
-    pub(super) fn converged(self) -> bool {
+    pub(crate) fn converged(self) -> bool {
         // Written so that bounds that are no numbers are not converged, and bounds of zero are.
         self.upper - self.lower <= CONVERGED * self.frequency
     }
@@ -42,12 +44,12 @@ impl Bounded {
 }
 
 /// The bounds of a frequency.
-pub(super) fn bounds_cell(bounded: Option<Bounded>) -> Cell {
+pub(crate) fn bounds_cell(bounded: Option<Bounded>) -> Cell {
     bounded.map_or_else(|| Cell::text("-"), |bounded| Cell::text(bounded.words()))
 }
 
 /// What to do about modes that are not converged; nothing where all are.
-pub(super) fn advice(family: BasisFamily, modes: impl IntoIterator<Item = Option<Bounded>>) -> String {
+pub(crate) fn advice(family: BasisFamily, modes: impl IntoIterator<Item = Option<Bounded>>, width: usize) -> String {
     if modes.into_iter().flatten().all(Bounded::converged) {
         return String::new();
     }
@@ -55,7 +57,7 @@ pub(super) fn advice(family: BasisFamily, modes: impl IntoIterator<Item = Option
         BasisFamily::Classical => "use --basis piecewise, or more --functions",
         BasisFamily::Piecewise => "stiffness or radii vary too much for the functions that the program allows",
     };
-    format!("\nnot converged: {words}\n")
+    format!("\n{}\n", wrap(&format!("not converged: {words}"), 0, width))
 }
 
 /// `value` against `reference` [%].
@@ -64,7 +66,7 @@ pub(crate) fn percent(value: Option<f64>, reference: Option<f64>) -> Option<f64>
 }
 
 /// A difference [%] with its sign.
-pub(super) fn difference(percent: Option<f64>) -> String {
+pub(crate) fn difference(percent: Option<f64>) -> String {
     match percent {
         None => "-".into(),
         Some(0.0) => "0".into(),
@@ -74,13 +76,13 @@ pub(super) fn difference(percent: Option<f64>) -> String {
 }
 
 /// The same with its unit: `+0.098 %`.
-pub(super) fn difference_cell(percent: Option<f64>) -> Cell {
+pub(crate) fn difference_cell(percent: Option<f64>) -> Cell {
     let text = difference(percent);
     Cell::text(if percent.is_some() { text + " %" } else { text })
 }
 
 /// An error [%] without sign, down to rounding.
-pub(super) fn error_cell(percent: Option<f64>) -> Cell {
+pub(crate) fn error_cell(percent: Option<f64>) -> Cell {
     Cell::text(match percent.map(f64::abs) {
         None => "-".into(),
         Some(0.0) => "0".into(),

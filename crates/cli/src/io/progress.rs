@@ -10,6 +10,8 @@ use std::thread;
 const PATIENCE: Duration = Duration::from_millis(400);
 /// Between two pictures of the spinner.
 const TICK: Duration = Duration::from_millis(120);
+/// The spinner, what is done, and for how long.
+const TEMPLATE: &str = "{spinner} {msg} {elapsed}";
 
 /// Runs `work`; where it takes long, under a spinner on standard error that says `what` and for how
 /// long. On a terminal only.
@@ -36,8 +38,29 @@ pub(crate) fn with<T>(what: &'static str, work: impl FnOnce() -> T) -> T {
 
 fn spinner(what: &'static str) -> ProgressBar {
     let bar = ProgressBar::new_spinner().with_message(what);
-    match ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
+    match ProgressStyle::with_template(TEMPLATE) {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_answer_comes_through() {
+        assert_eq!(with("working", || 1 + 1), 2);
+        let slow = || {
+            thread::sleep(PATIENCE + TICK);
+            "done"
+        };
+        assert_eq!(with("working", slow), "done", "with a sign of life, where there is a terminal");
+    }
+
+    #[test]
+    fn the_spinner_says_what_is_done() {
+        assert!(ProgressStyle::with_template(TEMPLATE).is_ok(), "else it would look like the library's own");
+        assert_eq!(spinner("working").message(), "working");
     }
 }

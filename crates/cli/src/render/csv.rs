@@ -1,30 +1,61 @@
 //! Results as CSV: units in the header row, numbers in the shortest form that reads back to the
 //! same f64, an empty field where there is no value.
+//!
+//! Words come from blade files, which anybody may have written, and a spreadsheet takes a word that
+//! begins like a formula for one. Such words get an apostrophe before them, as OWASP's page on CSV
+//! injection says; numbers stay numbers.
 
-use crate::commands::accuracy::percent;
-use crate::commands::blades::Listed;
+use super::accuracy::percent;
+use super::text::visible;
 use crate::failure::Failure;
 use bladefan_core::functions::BasisFamily;
 use bladefan_core::report::{BladeSummary, ConvergeReport, ConvergeSeries, FanChart, ModesReport, ShapesReport};
 use core::fmt::Display;
+use csv::{QuoteStyle, WriterBuilder};
+
+/// What a word must not begin with in a spreadsheet, which takes some wide letters for the narrow ones.
+const FORMULA: [char; 11] = ['=', '+', '-', '@', '\t', '\r', '\n', '\u{FF1D}', '\u{FF0B}', '\u{FF0D}', '\u{FF20}'];
+
+/// Room for one row before it is written.
+const ROW: usize = 1024;
 
 /// Rows under a header as one text.
 fn write<R>(header: Vec<String>, rows: impl Iterator<Item = R>) -> Result<String, Failure>
 where
     R: IntoIterator<Item = String>,
 {
-    let failed = |error: &dyn Display| Failure::Output(format!("CSV: cannot be written: {error}"));
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(header).map_err(|error| failed(&error))?;
-    for row in rows {
-        writer.write_record(row).map_err(|error| failed(&error))?;
+    let mut bytes = Vec::new();
+    let rows = rows.map(|row| row.into_iter().collect());
+    for row in core::iter::once(header).chain(rows) {
+        record(&mut bytes, &row).map_err(|error| failed(&error))?;
     }
-    let bytes = writer.into_inner().map_err(|error| failed(&error))?;
     String::from_utf8(bytes).map_err(|error| failed(&error))
 }
 
+/// One row. Where a semicolon could make a formula of what follows, as it parts fields in the
+/// spreadsheets of many countries, the words are quoted, so that it parts nothing.
+fn record(bytes: &mut Vec<u8>, row: &[String]) -> Result<(), csv::Error> {
+    let mut after = row.iter().flat_map(|field| field.split(';').skip(1));
+    let parts = after.any(|rest| rest.trim_start().starts_with(FORMULA));
+    let style = if parts { QuoteStyle::NonNumeric } else { QuoteStyle::Necessary };
+    let mut writer = WriterBuilder::new().quote_style(style).buffer_capacity(ROW).from_writer(bytes);
+    writer.write_record(row)?;
+    Ok(writer.flush()?)
+}
+
+fn failed(error: &dyn Display) -> Failure {
+    Failure::Output(format!("CSV: cannot be written: {error}"))
+}
+
 fn names(header: &[&str]) -> Vec<String> {
-    header.iter().map(|name| String::from(*name)).collect()
+    header.iter().map(words).collect()
+}
+
+/// A word, which neither a spreadsheet nor a terminal obeys.
+fn words(text: impl AsRef<str>) -> String {
+    let text = text.as_ref();
+    let before = if text.starts_with(FORMULA) { "'" } else { "" };
+    format!("{before}{}", visible(text))
 }
 
 /// The shortest decimal that reads back to the same f64; never an exponent-free row of 300 zeros.
@@ -60,10 +91,10 @@ pub(crate) fn modes(report: &ModesReport) -> Result<String, Failure> {
         header,
         report.modes.iter().map(|mode| {
             [
-                report.blade.clone(),
+                words(&report.blade),
                 number(report.speed_rad_s),
-                mode.label.clone(),
-                mode.dof.to_string(),
+                words(&mode.label),
+                words(mode.dof.name()),
                 mode.number.to_string(),
                 number(mode.frequency_rad_s),
                 number(mode.frequency_hz),
@@ -84,7 +115,7 @@ pub(crate) fn modes(report: &ModesReport) -> Result<String, Failure> {
 /// One row per rotor speed, one column per branch.
 pub(crate) fn fan(chart: &FanChart) -> Result<String, Failure> {
     let mut header = names(&["rotor speed [rad/s]"]);
-    header.extend(chart.branches.iter().map(|branch| format!("{} [rad/s]", branch.label)));
+    header.extend(chart.branches.iter().map(|branch| words(format!("{} [rad/s]", branch.label))));
     write(
         header,
         chart.speeds_rad_s.iter().enumerate().map(|(index, speed)| {
@@ -98,7 +129,9 @@ pub(crate) fn fan(chart: &FanChart) -> Result<String, Failure> {
 pub(crate) fn shapes(report: &ShapesReport) -> Result<String, Failure> {
     let mut header = names(&["r [m]"]);
     for shape in &report.shapes {
-        header.extend(["displacement", "slope [1/m]", "moment [N·m]"].map(|name| format!("{} {name}", shape.label)));
+        header.extend(
+            ["displacement", "slope [1/m]", "moment [N·m]"].map(|name| words(format!("{} {name}", shape.label))),
+        );
     }
     write(
         header,
@@ -124,8 +157,8 @@ pub(crate) fn converge(report: &ConvergeReport) -> Result<String, Failure> {
         families(series).into_iter().flat_map(move |(family, functions, values)| {
             functions.into_iter().zip(values).map(move |(count, value)| {
                 [
-                    series.label.clone(),
-                    family.name().into(),
+                    words(&series.label),
+                    words(family.name()),
                     count.to_string(),
                     maybe(value),
                     maybe(percent(value, series.converged_rad_s)),
@@ -152,9 +185,9 @@ pub(crate) fn summary(summary: &BladeSummary) -> Result<String, Failure> {
         header,
         summary.dofs.iter().map(|dof| {
             [
-                summary.blade.clone(),
-                dof.dof.to_string(),
-                dof.root.to_string(),
+                words(&summary.blade),
+                words(dof.dof.name()),
+                words(dof.root),
                 number(dof.offset_m),
                 maybe(dof.spring_n_m),
                 number(dof.mass_kg),
@@ -165,8 +198,57 @@ pub(crate) fn summary(summary: &BladeSummary) -> Result<String, Failure> {
     )
 }
 
-/// One row per built-in blade.
-pub(crate) fn blades(list: &[Listed]) -> Result<String, Failure> {
-    let rows = list.iter().map(|blade| [&blade.name, &blade.title, &blade.quality, &blade.citation].map(String::clone));
-    write(names(&["name", "title", "quality", "citation"]), rows)
+/// One row per built-in blade: name, title, quality, citation.
+pub(crate) fn blades<'a>(rows: impl Iterator<Item = [&'a str; 4]>) -> Result<String, Failure> {
+    write(names(&["name", "title", "quality", "citation"]), rows.map(|row| row.map(words)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use bladefan_core::dof::Dof;
+    use bladefan_core::report::DofSummary;
+
+    /// A list of one blade, without its header.
+    fn listed(row: [&str; 4]) -> String {
+        let text = blades([row].into_iter()).unwrap();
+        text.strip_prefix("name,title,quality,citation\n").unwrap().into()
+    }
+
+    #[test]
+    fn words_that_begin_like_a_formula_get_an_apostrophe() {
+        let row = ["=HYPERLINK(\"http://a\",\"b\")", "+1", "-1.5", "@SUM(A1)"];
+        assert_eq!(listed(row), "\"'=HYPERLINK(\"\"http://a\"\",\"\"b\"\")\",'+1,'-1.5,'@SUM(A1)\n");
+        let row = ["\t=1", "\r=1", "\n=1", "\u{FF1D}1"];
+        assert_eq!(listed(row), "'\\t=1,'\\r=1,'\\n=1,'\u{FF1D}1\n");
+        let row = ["=cmd|' /C calc'!A0", "a=b", "1-2", "'=1"];
+        assert_eq!(listed(row), "'=cmd|' /C calc'!A0,a=b,1-2,'=1\n", "inside a word they are harmless");
+    }
+
+    #[test]
+    fn a_semicolon_begins_no_field() {
+        assert_eq!(listed(["a; =1+1", "b", "", "c"]), "\"a; =1+1\",\"b\",\"\",\"c\"\n");
+        assert_eq!(listed(["a; 1=1", "b", "", "c"]), "a; 1=1,b,,c\n", "no formula");
+    }
+
+    #[test]
+    fn control_characters_are_written_out() {
+        assert_eq!(listed(["\u{1b}Pa", "b\u{1b}]c", "\u{7f}", "d\ne"]), "\\u{1b}Pa,b\\u{1b}]c,\\u{7f},d\\ne\n");
+    }
+
+    #[test]
+    fn numbers_stay_numbers() {
+        let dof = DofSummary {
+            dof: Dof::Flap,
+            root: "hinged",
+            offset_m: -1.5,
+            spring_n_m: None,
+            mass_kg: 0.1,
+            static_moment_kg_m: Some(-1e-300),
+            inertia_kg_m2: 1.0 / 3.0,
+        };
+        let report = BladeSummary { blade: "-1.5".into(), dofs: vec![dof], ..BladeSummary::default() };
+        let text = summary(&report).unwrap();
+        assert_eq!(text.lines().nth(1), Some("'-1.5,flap,hinged,-1.5,,0.1,-1e-300,0.3333333333333333"));
+    }
 }
