@@ -7,25 +7,25 @@ use super::unsolvable;
 use crate::blade::Blade;
 use crate::converged::{Converged, MOST_FUNCTIONS, TOLERANCE, Wanted, Work};
 use crate::dof::Dof;
-use crate::fan::Curves;
+use crate::fan::{Curves, sample};
 use crate::fault::Fault;
 use crate::modes::Mode;
 use crate::numerics::quadrature::GaussRules;
-use crate::numerics::scalar::{maximum, pow};
+use crate::numerics::scalar::maximum;
 use alloc::vec::Vec;
 
 /// Most times the functions are made anew with more speeds among those that they are found at.
 const MOST_ATTEMPTS: usize = 8;
 /// Speeds that are added at a time.
-const ADDED: usize = 3;
+const ADDED: usize = 6;
 /// Speeds at which what the sums of products say is looked at closely, the worst first.
-const LOOKED_AT: usize = 8;
+const LOOKED_AT: usize = 12;
 /// Added Ω² keep apart by this part of the larger.
 const APART: f64 = 0.05;
 
 /// With more functions the eigenproblems of a fit are solved without vectors, and the error is looked at
 /// in a few places.
-const CHECKED_EVERYWHERE: usize = 60;
+const CHECKED_EVERYWHERE: usize = 120;
 /// A relative error from which on curves are not worth fitting.
 const POOR: f64 = 1e2 * TOLERANCE;
 
@@ -70,7 +70,8 @@ pub(super) fn fitted(
             let poor = if last { f64::INFINITY } else { POOR };
             Curves::fit_checked(basis.matrices(), &at_rest, range, work.left(), poor, error).map_err(unsolvable)?
         } else {
-            (None, sample(range))
+            let squares = sample(&at_rest, range, LOOKED_AT);
+            (None, squares.into_iter().map(|s| (s, f64::INFINITY)).collect())
         };
         let (worst, poor) = poor(converged, checked, settings.modes, rules)?;
         let known = also_at.len();
@@ -111,9 +112,31 @@ fn poor(
     Ok((worst, poor))
 }
 
-/// Ω² over a range, evenly on a logarithmic scale from a thousandth of its end, each to be looked at.
-fn sample((from, to): (f64, f64)) -> Vec<(f64, f64)> {
-    let low = from.max(1e-3 * to);
-    let at = |i: usize| low * pow(to / low, i as f64 / (LOOKED_AT - 1) as f64);
-    (0..LOOKED_AT).map(|i| (at(i).min(to), f64::INFINITY)).collect()
+#[cfg(all(test, feature = "library"))]
+mod tests {
+    use super::*;
+    use crate::{formats, library};
+
+    /// From a beam to a string: a hundred times nominal speed. The chart is as good as each speed alone,
+    /// and said to be (1e-9: the tolerance of λ, of the curves, and room).
+    #[test]
+    fn a_range_of_many_decades_is_as_good_as_each_speed() {
+        let text = library::find("tm4760").unwrap().toml;
+        let blade = formats::read(text, formats::Format::Toml).unwrap().blade;
+        let rules = GaussRules::new();
+        let settings = Settings::default();
+        let to = 100.0 * blade.nominal_speed();
+        for dof in Dof::ALL {
+            let found = fitted(&blade, dof, &settings, (0.0, to * to), to * to, &rules).unwrap();
+            assert!(found.error <= TOLERANCE, "{dof}: {:e}", found.error);
+            for speed in [0.0, 40.0, 231.5, 700.0, 3000.0, to] {
+                let s = speed * speed;
+                let alone = Converged::new(&blade, dof, &Wanted::at(s, 6), &rules, &mut Work::default()).unwrap();
+                let modes = solve(alone.matrices(), speed, 5).unwrap();
+                for (value, mode) in found.curves.eigenvalues(s).iter().zip(&modes) {
+                    assert!((value - mode.eigenvalue).abs() <= 1e-9 * mode.eigenvalue, "{dof} at {speed}: {value}");
+                }
+            }
+        }
+    }
 }

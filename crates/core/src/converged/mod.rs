@@ -71,7 +71,7 @@ impl Default for Work {
 impl Work {
     /// For a range of rotor speeds.
     pub const fn for_range() -> Self {
-        Self { left: 1.8 * MOST_WORK }
+        Self { left: 2.4 * MOST_WORK }
     }
 
     /// Takes off what was done.
@@ -161,10 +161,13 @@ impl Converged {
                 Err(error) => return Err(error),
             };
             let error = found.error;
+            // Where more polynomials do not help, it is speeds that are missing.
+            let helped = last.as_ref().is_none_or(|last| error <= WORTHWHILE * last.error);
             if last.as_ref().is_none_or(|last| error < last.error) {
                 last = Some(found);
             }
-            if error <= TOLERANCE || work.left() <= 0.0 || !raise(&mut layout, &shares) {
+            let idle = wanted.is_range() && !helped;
+            if error <= TOLERANCE || idle || work.left() <= 0.0 || !raise(&mut layout, &shares) {
                 break;
             }
         }

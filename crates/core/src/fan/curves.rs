@@ -300,6 +300,15 @@ impl Piece {
     }
 }
 
+/// So many Ω² over a range, evenly on the scale on which the branches of a blade with these modes at
+/// rest are smooth.
+pub fn sample(at_rest: &[Mode], (from, to): (f64, f64), count: usize) -> Vec<f64> {
+    let scale = Scale::new(at_rest, to);
+    let (low, high) = (scale.at(from), scale.at(to));
+    let last = count.saturating_sub(1).max(1) as f64;
+    (0..count).map(|i| scale.speed_squared(low + (high - low) * (i as f64 / last)).min(to)).collect()
+}
+
 /// Why a fit ends before its end.
 enum Stop {
     Poor,

@@ -3,5 +3,5 @@
 mod curves;
 mod rays;
 
-pub use curves::Curves;
+pub use curves::{Curves, sample};
 pub use rays::{RayCrossing, Rays, meet_rays};
