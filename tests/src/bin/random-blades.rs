@@ -1,0 +1,58 @@
+//! Writes random legal blades to a folder, the same ones in every run:
+//! `random-blades FOLDER [--count N] [--seed N]`.
+#![allow(clippy::print_stderr, reason = "a program speaks")]
+
+use bladefan_core::file::{to_json, to_toml};
+use bladefan_tests::random;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::{env, fs};
+
+const USAGE: &str = "random-blades FOLDER [--count N] [--seed N]";
+
+/// What was asked for.
+struct Order {
+    folder: PathBuf,
+    count: usize,
+    seed: u64,
+}
+
+fn order() -> Option<Order> {
+    let mut order = Order { folder: PathBuf::new(), count: 200, seed: 4021 };
+    let mut arguments = env::args().skip(1);
+    while let Some(argument) = arguments.next() {
+        match argument.as_str() {
+            "--count" => order.count = arguments.next()?.parse().ok()?,
+            "--seed" => order.seed = arguments.next()?.parse().ok()?,
+            folder if !folder.starts_with('-') && order.folder.as_os_str().is_empty() => order.folder = folder.into(),
+            _ => return None,
+        }
+    }
+    (!order.folder.as_os_str().is_empty()).then_some(order)
+}
+
+fn write(order: &Order) -> std::io::Result<()> {
+    fs::create_dir_all(&order.folder)?;
+    for (i, blade) in random::draw(&random::blade(), order.count, order.seed).iter().enumerate() {
+        let mut definition = blade.definition();
+        definition.name = Some(format!("random {i}"));
+        // Both formats in turn.
+        let (text, ending) = if i % 2 == 0 { (to_toml(&definition), "toml") } else { (to_json(&definition), "json") };
+        fs::write(order.folder.join(format!("random-{i:04}.{ending}")), text)?;
+    }
+    Ok(())
+}
+
+fn main() -> ExitCode {
+    let Some(order) = order() else {
+        eprintln!("usage: {USAGE}");
+        return ExitCode::from(2);
+    };
+    match write(&order) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("random-blades: {}: {error}", order.folder.display());
+            ExitCode::FAILURE
+        }
+    }
+}
