@@ -7,7 +7,7 @@ use bladefan_core::blade::{
     RotorDefinition,
 };
 use bladefan_core::dof::Dof;
-use bladefan_core::file::{Format, read};
+use bladefan_core::formats::{Format, read};
 use bladefan_core::library;
 use bladefan_core::numerics::PiecewiseLinear;
 

@@ -4,8 +4,9 @@
 use crate::blades::{Hold, TestBlade};
 use crate::exact::Exact;
 use crate::solve::{converged_settings, settings, solve_with};
-use bladefan_core::analysis::{ModeReport, Settings};
+use bladefan_core::analysis::Settings;
 use bladefan_core::dof::Dof;
+use bladefan_core::report::ModeReport;
 use core::fmt;
 
 /// Rounding of the independent solution, relative to a frequency: measured up to 4e-13.

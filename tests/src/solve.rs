@@ -1,9 +1,11 @@
 //! Short ways to the facade.
 
 use crate::blades::TestBlade;
-use bladefan_core::analysis::{BasisFamily, ModeReport, Settings, modes};
+use bladefan_core::analysis::{Settings, modes};
 use bladefan_core::blade::Blade;
 use bladefan_core::dof::Dof;
+use bladefan_core::functions::BasisFamily;
+use bladefan_core::report::ModeReport;
 
 /// Settings for one degree of freedom: `functions` classical functions, `count` modes, at `speed` [rad/s].
 pub fn settings(dof: Dof, speed: f64, functions: usize, count: usize) -> Settings {

@@ -5,7 +5,7 @@
 
 use bladefan_core::blade::{BladeDefinition, PropertyDefinition};
 use bladefan_core::fault::{Fault, FaultCode};
-use bladefan_core::file::{Entry, Format, Node, Tree, measured, read, read_tree, to_json, to_toml};
+use bladefan_core::formats::{Entry, Format, Node, Tree, measured, read, read_tree, to_json, to_toml};
 use bladefan_core::library::ENTRIES;
 use bladefan_tests::faults::{BASE_JSON, BASE_TOML, Case, Expected, cases};
 use core::fmt::Write;

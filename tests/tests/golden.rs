@@ -3,7 +3,7 @@
 
 use bladefan_core::analysis::{self, Settings};
 use bladefan_core::chart::{self, ChartOptions};
-use bladefan_core::file::{Format, read};
+use bladefan_core::formats::{Format, read};
 use bladefan_core::library;
 
 /// The README's picture is what its command draws now. To make it anew:

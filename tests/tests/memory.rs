@@ -4,7 +4,7 @@
 use allocation_counter::measure;
 use bladefan_core::analysis::{Settings, SpeedRange, fan};
 use bladefan_core::blade::Blade;
-use bladefan_core::file::{Format, read};
+use bladefan_core::formats::{Format, read};
 use bladefan_core::library;
 use core::hint::black_box;
 

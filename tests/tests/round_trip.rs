@@ -8,7 +8,7 @@ use bladefan_core::blade::{
     Source, check, convert,
 };
 use bladefan_core::dof::Dof;
-use bladefan_core::file::{Format, measured, read, to_json, to_toml};
+use bladefan_core::formats::{Format, measured, read, to_json, to_toml};
 use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit, Units};
 use bladefan_tests::faults::{BASE_JSON, BASE_TOML};
 use proptest::collection::vec;

@@ -4,9 +4,8 @@
 use crate::commands::accuracy::percent;
 use crate::commands::blades::Listed;
 use crate::failure::Failure;
-use bladefan_core::analysis::{
-    BasisFamily, BladeSummary, ConvergeReport, ConvergeSeries, FanChart, ModesReport, ShapesReport,
-};
+use bladefan_core::functions::BasisFamily;
+use bladefan_core::report::{BladeSummary, ConvergeReport, ConvergeSeries, FanChart, ModesReport, ShapesReport};
 use core::fmt::Display;
 
 /// Rows under a header as one text.

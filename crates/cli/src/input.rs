@@ -1,7 +1,7 @@
 //! Reading: which text `BLADE` names, and the blade in it.
 
 use crate::failure::{Failure, reason};
-use bladefan_core::file::{self, BladeFile, Format};
+use bladefan_core::formats::{self, BladeFile, Format};
 use bladefan_core::library;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -32,7 +32,7 @@ struct Source {
 /// in this folder, in this order.
 pub(crate) fn load(blade: &str) -> Result<Input, Failure> {
     let source = find(blade)?;
-    match file::read(&source.text, source.format) {
+    match formats::read(&source.text, source.format) {
         Ok(file) => Ok(Input { name: source.name, file, path: source.path }),
         Err(faults) => Err(Failure::faults(&source.name, &faults)),
     }

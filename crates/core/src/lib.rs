@@ -11,7 +11,7 @@
 //! eigenproblem. `docs/THEORY.md` has the rest.
 //!
 //! ```text
-//! blade file ──file::read──▶ BladeDefinition ──blade::check──▶ Blade
+//! blade file ──formats::read──▶ BladeDefinition ──blade::check──▶ Blade
 //!   ──lagrange::assemble──▶ SystemMatrices ──modes::solve──▶ Mode
 //!   ──fan::Curves::fit──▶ Curves ──analysis──▶ ModesReport, FanChart, … ──chart──▶ SVG
 //! ```
@@ -21,10 +21,10 @@
 //! ```
 //! # #[cfg(feature = "library")] {
 //! use bladefan_core::analysis::{Settings, modes};
-//! use bladefan_core::{file, library};
+//! use bladefan_core::{formats, library};
 //!
 //! let text = library::find("uniform").expect("built in").toml;
-//! let blade = file::read(text, file::Format::Toml).expect("no faults").blade;
+//! let blade = formats::read(text, formats::Format::Toml).expect("no faults").blade;
 //! let at_12 = Settings { speed: Some(12.0), functions: 60, ..Settings::default() };
 //! let report = modes(&blade, &at_12).expect("solvable");
 //! // Wright, Smith, Thresher & Wang 1982: 13.1702.
@@ -33,7 +33,7 @@
 //! ```
 //!
 //! `no_std` with `alloc`. Results have the same bits on every target. SI units, rad/s; other units
-//! stand in a name. Features: `serde`, `file`, `library`, `chart`.
+//! stand in a name. Features: `serde`, `formats`, `library`, `chart`.
 
 #![no_std]
 #![cfg_attr(
@@ -60,8 +60,8 @@ pub mod converged;
 pub mod dof;
 pub mod fan;
 pub mod fault;
-#[cfg(feature = "file")]
-pub mod file;
+#[cfg(feature = "formats")]
+pub mod formats;
 pub mod functions;
 pub mod lagrange;
 #[cfg(feature = "library")]
@@ -69,6 +69,7 @@ pub mod library;
 pub mod modes;
 pub mod numerics;
 mod order;
+pub mod report;
 pub mod units;
 
 /// Version of this program, as in results and charts.

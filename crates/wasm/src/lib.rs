@@ -17,13 +17,14 @@ pub use whole::*;
 use crate::options::Analysis;
 use crate::reply::reply;
 use bladefan_core::VERSION;
-use bladefan_core::analysis::{self, FanChart};
-#[cfg(feature = "whole")]
-use bladefan_core::analysis::{ConvergeReport, ShapesReport};
+use bladefan_core::analysis;
 use bladefan_core::blade::Blade;
 use bladefan_core::chart::{self, Drawing, PlotArea};
 use bladefan_core::fault::{Fault, FaultCode};
-use bladefan_core::file::{self, BladeFile, Tree};
+use bladefan_core::formats::{self, BladeFile, Tree};
+use bladefan_core::report::FanChart;
+#[cfg(feature = "whole")]
+use bladefan_core::report::{ConvergeReport, ShapesReport};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -152,5 +153,5 @@ fn read_tree(value: &JsValue, name: &str) -> Result<Tree, Vec<Fault>> {
 // Not into every export that takes a blade.
 #[inline(never)]
 fn read_blade(blade: &JsValue) -> Result<Box<BladeFile>, Vec<Fault>> {
-    read_tree(blade, "blade").and_then(|tree| file::read_tree(&tree)).map(Box::new)
+    read_tree(blade, "blade").and_then(|tree| formats::read_tree(&tree)).map(Box::new)
 }

@@ -2,10 +2,11 @@
 //! that the command line would be given, and core reads that.
 
 use crate::tree::{elements, entries};
-use bladefan_core::analysis::{MeasuredPoint, Settings};
+use bladefan_core::analysis::Settings;
 use bladefan_core::chart::{ChartOptions, FrequencyUnit, Theme, parse_frequencies};
 use bladefan_core::fault::{Fault, FaultCode};
-use bladefan_core::file::measured;
+use bladefan_core::formats::measured;
+use bladefan_core::report::MeasuredPoint;
 use bladefan_core::units::SpeedUnit;
 use wasm_bindgen::JsValue;
 

@@ -4,7 +4,7 @@
 //! throw or be proxies, and all of that must end as a fault, never as an exception.
 
 use bladefan_core::fault::{Fault, FaultCode};
-use bladefan_core::file::{Entry, Node, Tree};
+use bladefan_core::formats::{Entry, Node, Tree};
 use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
 

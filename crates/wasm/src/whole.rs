@@ -9,7 +9,7 @@ use bladefan_core::analysis;
 use bladefan_core::blade;
 use bladefan_core::chart::FrequencyUnit;
 use bladefan_core::fault::{Fault, FaultCode};
-use bladefan_core::file::{self, BladeFile, Format};
+use bladefan_core::formats::{self, BladeFile, Format};
 use bladefan_core::library;
 use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit};
 use serde::Serialize;
@@ -34,8 +34,8 @@ pub fn write_blade(
     let format = known_format(format).and_then(|format| format.ok_or_else(|| unknown_format(None)));
     with(blade, format, |file, format| {
         Ok(match format {
-            Format::Toml => file::to_toml(&file.definition),
-            Format::Json => file::to_json(&file.definition),
+            Format::Toml => formats::to_toml(&file.definition),
+            Format::Json => formats::to_json(&file.definition),
         })
     })
 }
@@ -47,10 +47,10 @@ pub fn convert_blade(
     #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Units")] units: &JsValue,
 ) -> Answer {
-    let given = read_tree(blade, "blade").and_then(|tree| file::read_definition(&tree));
+    let given = read_tree(blade, "blade").and_then(|tree| formats::read_definition(&tree));
     // The blade's own units stand in for absent ones; without a blade the faults are the same.
     let own = given.as_ref().map(|definition| definition.units).unwrap_or_default();
-    let units = read_tree(units, "units").and_then(|tree| file::read_units(&tree, own));
+    let units = read_tree(units, "units").and_then(|tree| formats::read_units(&tree, own));
     reply(both(given, units).map(|(given, units)| (blade::convert(&given, units), Vec::new())))
 }
 
@@ -92,7 +92,7 @@ pub fn check(#[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue) ->
 /// Reads measured points (CSV with the columns label, speed, frequency, source).
 #[wasm_bindgen(unchecked_return_type = "Reply<MeasuredPoint[]>")]
 pub fn measured(#[wasm_bindgen(unchecked_param_type = "string")] text: &JsValue) -> Answer {
-    reply(string(text, "text").and_then(|text| file::measured::read(&text)).map(|points| (points, Vec::new())))
+    reply(string(text, "text").and_then(|text| formats::measured::read(&text)).map(|points| (points, Vec::new())))
 }
 
 /// Sets measured points (CSV as `measured` reads it) beside the solver's answer: the frequency of each
@@ -103,7 +103,7 @@ pub fn compare(
     #[wasm_bindgen(unchecked_param_type = "string")] csv: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "CompareOptions")] options: &JsValue,
 ) -> Answer {
-    let points = string(csv, "csv").and_then(|text| file::measured::read(&text));
+    let points = string(csv, "csv").and_then(|text| formats::measured::read(&text));
     let given = both(points, options::settings(options, Analysis::Compare));
     solve(blade, given, |blade, (points, settings)| analysis::compare(blade, points, settings))
 }
@@ -120,7 +120,7 @@ pub fn built_in_blades() -> Answer {
         toml: &'static str,
     }
     let listed = library::ENTRIES.iter().map(|&library::Entry { name, toml }| {
-        let definition = file::read(toml, Format::Toml)?.definition;
+        let definition = formats::read(toml, Format::Toml)?.definition;
         let source = definition.source.unwrap_or_default();
         Ok(BuiltIn { name, title: definition.name, quality: source.quality, citation: source.citation, toml })
     });
@@ -171,7 +171,7 @@ pub fn about() -> Answer {
 fn read_text(text: &JsValue, format: &JsValue) -> Result<BladeFile, Vec<Fault>> {
     let text = string(text, "text")?;
     let format = known_format(format)?.unwrap_or_else(|| Format::of_text(&text));
-    file::read(&text, format)
+    formats::read(&text, format)
 }
 
 /// A format by name; none where it is not given.

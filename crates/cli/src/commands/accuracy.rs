@@ -1,7 +1,7 @@
 //! How good a frequency is, in words: its bounds, and how far other functions are from it.
 
 use crate::table::{Cell, decimals, significant};
-use bladefan_core::analysis::BasisFamily;
+use bladefan_core::functions::BasisFamily;
 
 /// Bounds further apart than this share of the frequency do not hold three digits: not converged.
 const CONVERGED: f64 = 1e-3;

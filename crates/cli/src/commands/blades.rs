@@ -6,7 +6,7 @@ use crate::input::{self, not_found};
 use crate::output::{self, Output};
 use crate::table::{Align, Cell, Table, WIDTH, wrap};
 use crate::{csv, json};
-use bladefan_core::file;
+use bladefan_core::formats;
 use bladefan_core::library::{self, ENTRIES};
 use core::fmt::Write as _;
 use serde::Serialize;
@@ -40,7 +40,7 @@ fn one(name: &str, format: Format) -> Result<String, Failure> {
     let entry = library::find(name).ok_or_else(|| not_found(name, "no built-in blade of this name"))?;
     match format {
         Format::Table => Ok(entry.toml.into()),
-        Format::Json => Ok(file::to_json(&input::load(name)?.file.definition)),
+        Format::Json => Ok(formats::to_json(&input::load(name)?.file.definition)),
         Format::Csv => Err(Failure::input("--format: must be table (TOML) or json for a blade file (is csv)")),
     }
 }

@@ -6,7 +6,8 @@ use crate::failure::{Failure, warn};
 use crate::output::{self, Output};
 use crate::table::{Align, Cell, Table, WIDTH, short, wrap};
 use crate::{csv, input, json};
-use bladefan_core::analysis::{self, BladeSummary};
+use bladefan_core::analysis;
+use bladefan_core::report::BladeSummary;
 
 pub(super) fn run(args: &CheckArgs) -> Result<Output, Failure> {
     let input = input::load(&args.blade.blade)?;

@@ -7,9 +7,11 @@ use crate::failure::{Failure, warn};
 use crate::output::{self, Output};
 use crate::table::{Align, Cell, Table};
 use crate::{csv, drawing, input, json, progress};
-use bladefan_core::analysis::{self, BasisFamily, ConvergeReport, ConvergeSeries};
+use bladefan_core::analysis;
 use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::dof::Dof;
+use bladefan_core::functions::BasisFamily;
+use bladefan_core::report::{ConvergeReport, ConvergeSeries};
 use core::fmt::Write as _;
 
 /// What the paper calls converged.

@@ -7,9 +7,10 @@ use crate::failure::{Failure, warn};
 use crate::output::{self, Output};
 use crate::table::{Align, Cell, Table, short, significant};
 use crate::{csv, drawing, input, json, progress};
-use bladefan_core::analysis::{self, ComparedPoint, FanChart, Settings};
+use bladefan_core::analysis::{self, Settings};
 use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::dof::Dof;
+use bladefan_core::report::{ComparedPoint, FanChart};
 use bladefan_core::units::{hz, rpm};
 use core::fmt::Write as _;
 use serde::Serialize;
@@ -133,7 +134,7 @@ fn all(chart: &FanChart, settings: &Settings) -> Table {
     let mut table = Table::new(core::iter::once((String::from("mode"), Align::Left)).chain(rays));
     for branch in &chart.branches {
         let cell = |harmonic: u32| {
-            let on_ray = |on: &analysis::Coincidence| on.label == branch.label && on.harmonic == harmonic;
+            let on_ray = |on: &bladefan_core::report::Coincidence| on.label == branch.label && on.harmonic == harmonic;
             if chart.coincident.iter().any(on_ray) {
                 return "all".into();
             }

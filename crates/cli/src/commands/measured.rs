@@ -2,14 +2,15 @@
 
 use crate::failure::Failure;
 use crate::input::{Input, read_text};
-use bladefan_core::analysis::{self, ComparedPoint, MeasuredPoint, Settings};
-use bladefan_core::file;
+use bladefan_core::analysis::{self, Settings};
+use bladefan_core::formats;
+use bladefan_core::report::{ComparedPoint, MeasuredPoint};
 use std::path::Path;
 
 /// Reads measured points.
 pub(super) fn read(path: &Path) -> Result<Vec<MeasuredPoint>, Failure> {
     let text = read_text(path)?;
-    file::measured::read(&text).map_err(|faults| Failure::faults(&path.display().to_string(), &faults))
+    formats::measured::read(&text).map_err(|faults| Failure::faults(&path.display().to_string(), &faults))
 }
 
 /// Solves at the rotor speed of every point.

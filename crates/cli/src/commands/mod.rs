@@ -13,8 +13,10 @@ use crate::args::Command;
 use crate::failure::Failure;
 use crate::output::Output;
 use crate::table::{Align, Cell, WIDTH, short, wrap};
-use bladefan_core::analysis::{BasisFamily, BasisReport, MODEL, Margin};
+use bladefan_core::analysis::MODEL;
 use bladefan_core::dof::Dof;
+use bladefan_core::functions::BasisFamily;
+use bladefan_core::report::{BasisReport, Margin};
 use bladefan_core::units;
 
 /// Runs a command; what it made is still to be written.

@@ -7,7 +7,9 @@ use crate::failure::{Failure, warn};
 use crate::output::{self, Output};
 use crate::table::{Align, Cell, Table};
 use crate::{csv, input, json, progress};
-use bladefan_core::analysis::{self, BasisFamily, ModeReport, ModesReport};
+use bladefan_core::analysis;
+use bladefan_core::functions::BasisFamily;
+use bladefan_core::report::{ModeReport, ModesReport};
 
 pub(super) fn run(args: &ModesArgs) -> Result<Output, Failure> {
     let settings = args.settings()?;

@@ -6,9 +6,10 @@ use crate::failure::{Failure, warn};
 use crate::output::{self, Output};
 use crate::table::{Align, Cell, Table, decimals, significant};
 use crate::{csv, drawing, input, json, progress};
-use bladefan_core::analysis::{self, Settings, ShapeScale, ShapesReport};
+use bladefan_core::analysis::{self, Settings, ShapeScale};
 use bladefan_core::chart;
 use bladefan_core::dof::Dof;
+use bladefan_core::report::ShapesReport;
 
 /// Most radii of the table.
 const RADII: usize = 11;

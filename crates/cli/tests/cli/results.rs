@@ -3,14 +3,14 @@
 use super::{BUILT_IN, run, run_in, run_with, toml};
 use bladefan_core::analysis::{self, Settings};
 use bladefan_core::blade::Blade;
-use bladefan_core::file::{self, Format};
+use bladefan_core::formats::{self, Format};
 use serde_json::Value;
 use std::fs;
 
 const SOLVERS: [&str; 4] = ["modes", "fan", "shapes", "converge"];
 
 fn blade(name: &str) -> Blade {
-    file::read(toml(name), Format::Toml).unwrap().blade
+    formats::read(toml(name), Format::Toml).unwrap().blade
 }
 
 #[test]

@@ -1,11 +1,12 @@
 //! What the converged answer costs: one chart, one speed with bounds, many stations.
 
 use crate::{MODES, best, chart_settings, chart_time, modes_time};
-use bladefan_core::analysis::{BasisFamily, Settings, fan, modes};
+use bladefan_core::analysis::{Settings, fan, modes};
 use bladefan_core::blade::Blade;
 use bladefan_core::converged::Converged;
 use bladefan_core::dof::Dof;
-use bladefan_core::file::{Format, read};
+use bladefan_core::formats::{Format, read};
+use bladefan_core::functions::BasisFamily;
 use bladefan_core::numerics::quadrature::GaussRules;
 use core::fmt::Write;
 use core::hint::black_box;

@@ -10,10 +10,11 @@ mod converged;
 mod figure_8;
 mod march;
 
-use bladefan_core::analysis::{BasisFamily, Settings, fan, modes};
+use bladefan_core::analysis::{Settings, fan, modes};
 use bladefan_core::blade::Blade;
 use bladefan_core::dof::Dof;
-use bladefan_core::file::{Format, read};
+use bladefan_core::formats::{Format, read};
+use bladefan_core::functions::BasisFamily;
 use bladefan_core::lagrange::{Energies, Fields, Grid, SystemMatrices, assemble, classical_functions};
 use bladefan_core::library;
 use bladefan_core::modes::solve;

@@ -1,11 +1,11 @@
 //! The assumed functions behind a result: either family, ready to be solved.
 
-use super::settings::{BasisFamily, Settings};
+use super::settings::Settings;
 use crate::blade::Blade;
 use crate::converged::Converged;
 use crate::dof::Dof;
 use crate::fault::Fault;
-use crate::functions::AssumedFunctions;
+use crate::functions::{AssumedFunctions, BasisFamily};
 use crate::lagrange::{Bounds, Energies, Fields, FromTip, Grid, SystemMatrices, assemble, bounds, classical_functions};
 use crate::modes::{self, Mode, SolveError};
 use crate::numerics::quadrature::GaussRules;

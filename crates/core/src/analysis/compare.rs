@@ -1,8 +1,9 @@
 //! Measured points beside the solver's answer at the same rotor speed.
 
-use super::{ComparedPoint, MeasuredPoint, ModesReport, Settings, modes};
+use super::{Settings, modes};
 use crate::blade::Blade;
 use crate::fault::Fault;
+use crate::report::{ComparedPoint, MeasuredPoint, ModesReport};
 use alloc::vec::Vec;
 
 /// Every point with the frequency of its branch at its own rotor speed. Solves once per speed;

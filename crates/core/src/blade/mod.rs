@@ -7,7 +7,7 @@ mod model;
 mod tension;
 
 pub use check::check;
-#[cfg(feature = "file")]
+#[cfg(feature = "formats")]
 pub(crate) use check::{Shortest, choice_fault, shortest};
 pub use convert::convert;
 pub use definition::{

@@ -1,7 +1,7 @@
 //! How a drawing should look.
 
-use crate::analysis::MeasuredPoint;
 use crate::fault::{Fault, FaultCode};
+use crate::report::MeasuredPoint;
 use crate::units::{self, SpeedUnit};
 use alloc::format;
 use alloc::string::ToString;

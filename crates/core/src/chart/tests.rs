@@ -4,12 +4,13 @@
 
 use super::line::Area;
 use super::{ChartOptions, Drawing, FrequencyUnit, Theme, converge, fan, parse_frequencies, shapes, text};
-use crate::analysis::{
-    BasisFamily, BasisReport, Branch, Coincidence, ConvergeReport, ConvergeSeries, Crossing, FanChart, FunctionCounts,
+use crate::dof::Dof;
+use crate::functions::BasisFamily;
+use crate::numerics::scalar::{sin_cos, sqrt};
+use crate::report::{
+    BasisReport, Branch, Coincidence, ConvergeReport, ConvergeSeries, Crossing, FanChart, FunctionCounts,
     MeasuredPoint, Nominal, ShapeReport, ShapesReport, Southwell,
 };
-use crate::dof::Dof;
-use crate::numerics::scalar::{sin_cos, sqrt};
 use crate::units::SpeedUnit;
 use alloc::format;
 use alloc::string::{String, ToString};

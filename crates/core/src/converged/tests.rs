@@ -25,7 +25,7 @@ fn stepped() -> Blade {
         polar_inertia = [1e-3, 1e-3, 1e-3, 1e-3, 1e-4, 2e-4]
         mass_offset = 0.01
     "#;
-    crate::file::read(text, crate::file::Format::Toml).unwrap().blade
+    crate::formats::read(text, crate::formats::Format::Toml).unwrap().blade
 }
 
 fn frequencies(found: &Converged, speed: f64, count: usize) -> Vec<f64> {

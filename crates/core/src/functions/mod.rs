@@ -1,10 +1,12 @@
 //! Assumed deformation functions: what a mode shape is a sum of.
 
 mod bending;
+mod family;
 mod piecewise;
 mod torsion;
 
 pub use bending::{BendingRoot, ClassicalBending};
+pub use family::BasisFamily;
 pub use piecewise::{Deformation, MOST_ORDER, Mesh, PiecewiseFunctions};
 pub use torsion::{ClassicalTorsion, TorsionRoot};
 

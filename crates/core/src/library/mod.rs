@@ -27,7 +27,7 @@ pub fn find(name: &str) -> Option<&'static Entry> {
 #[allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop")]
 mod tests {
     use super::*;
-    use crate::file::{Format, read};
+    use crate::formats::{Format, read};
 
     #[test]
     fn every_blade_reads_without_a_fault_and_says_where_it_is_from() {

@@ -8,8 +8,8 @@ use super::super::sheet::{Anchor, Face, Point, Sheet, dash_array};
 use super::super::text;
 use super::crossings::draw_haloed;
 use super::units::Units;
-use crate::analysis::{Branch, FanChart};
 use crate::numerics::scalar::sqrt;
+use crate::report::{Branch, FanChart};
 use alloc::vec::Vec;
 
 /// Per revolution a branch is drawn with about so many points, however few speeds there are.

@@ -7,7 +7,7 @@ use super::super::place::Obstacles;
 use super::super::sheet::{Anchor, Face, Point, Sheet};
 use super::super::text;
 use super::units::Units;
-use crate::analysis::{Crossing, FanChart};
+use crate::report::{Crossing, FanChart};
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;

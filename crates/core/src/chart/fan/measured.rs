@@ -7,7 +7,7 @@ use super::super::panel::Panel;
 use super::super::sheet::{Point, Sheet};
 use super::super::text;
 use super::units::Units;
-use crate::analysis::{FanChart, MeasuredPoint};
+use crate::report::{FanChart, MeasuredPoint};
 use alloc::string::String;
 use alloc::vec::Vec;
 use plotters::style::RGBColor;

@@ -2,9 +2,9 @@
 
 use super::super::ChartOptions;
 use super::units::Units;
-use crate::analysis::{Branch, Crossing, FanChart, MeasuredPoint};
 use crate::dof::Dof;
 use crate::order::order;
+use crate::report::{Branch, Crossing, FanChart, MeasuredPoint};
 use alloc::vec::Vec;
 
 /// Rays up to at least this harmonic count as of interest.

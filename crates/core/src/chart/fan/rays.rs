@@ -7,7 +7,7 @@ use super::super::sheet::{Anchor, Face, Point, Sheet};
 use super::super::spread::{Wish, spread};
 use super::super::text;
 use super::units::Units;
-use crate::analysis::FanChart;
+use crate::report::FanChart;
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;

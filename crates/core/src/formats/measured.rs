@@ -2,10 +2,10 @@
 
 use super::BYTE_ORDER_MARK;
 use super::place::{Placed, in_order};
-use crate::analysis::MeasuredPoint;
 use crate::blade::shortest;
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode};
+use crate::report::MeasuredPoint;
 use crate::units::SpeedUnit;
 use alloc::format;
 use alloc::string::{String, ToString};

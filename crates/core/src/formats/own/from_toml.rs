@@ -1,8 +1,8 @@
 //! TOML text to a tree.
 
-use super::place::{Placed, decapitalised};
 use super::tree::{Entry, Node, Tree};
 use crate::fault::{Fault, FaultCode};
+use crate::formats::place::{Placed, decapitalised};
 use alloc::vec::Vec;
 use toml::Spanned;
 use toml::de::{DeInteger, DeTable, DeValue};

@@ -83,3 +83,24 @@ impl Serialize for Tree {
         }
     }
 }
+
+/// The place of a path as the check writes it (`distribution.mass[3]`): of the value, or of the
+/// innermost table or list around it that is there; the text's beginning for a missing table.
+pub(super) fn find(tree: &Tree, path: &str) -> Option<usize> {
+    tree.span.as_ref()?;
+    let mut here = tree;
+    let mut at = 0;
+    for step in path.split(['.', '[']) {
+        let below = match step.strip_suffix(']') {
+            Some(index) => match &here.node {
+                Node::List(values) => index.parse().ok().and_then(|index: usize| values.get(index)),
+                _ => None,
+            },
+            None => here.get(step),
+        };
+        let Some(below) = below else { break };
+        at = below.at().unwrap_or(at);
+        here = below;
+    }
+    Some(at)
+}

@@ -1,7 +1,6 @@
 //! A tree to a definition: keys, types, words and units.
 
 use super::SCHEMA;
-use super::place::Placed;
 use super::tree::{Entry, Node, Tree};
 use crate::blade::{
     BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Shortest,
@@ -9,6 +8,7 @@ use crate::blade::{
 };
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode};
+use crate::formats::place::Placed;
 use crate::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit, Units};
 use alloc::format;
 use alloc::string::{String, ToString};

@@ -1,28 +1,27 @@
-//! Blade files (TOML, JSON) and measured points (CSV).
+//! bladefan's own blade files, TOML and JSON.
 //!
 //! ```text
 //! text ─from_toml, from_json→ Tree ─reader→ BladeDefinition ─check→ Blade
-//! BladeDefinition ─write→ Tree → TOML, JSON
+//! BladeDefinition ─writer→ Tree → TOML, JSON
 //! ```
 //! A [`Tree`] knows where in the text each key and value stands, so every fault has a line and a
 //! column, be it found by the parser, by the reader or by the check.
 
 mod from_json;
 mod from_toml;
-pub mod measured;
-mod place;
 mod reader;
 mod tree;
-mod write;
+mod writer;
 
 pub use tree::{Entry, Node, Tree};
-pub use write::{to_json, to_toml};
+pub use writer::{to_json, to_toml};
 
+use super::BYTE_ORDER_MARK;
+use super::place::{Placed, drop_consequences, in_order};
 use crate::blade::{Blade, BladeDefinition, check};
 use crate::fault::Fault;
 use crate::units::Units;
 use alloc::vec::Vec;
-use place::{Placed, drop_consequences, in_order};
 use reader::Reader;
 
 /// The schema that this version reads and writes.
@@ -57,9 +56,6 @@ impl Format {
     }
 }
 
-/// Editors may put it first; it is no part of the text.
-const BYTE_ORDER_MARK: char = '\u{feff}';
-
 /// A blade file that was read without a fault: as given, and as checked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BladeFile {
@@ -77,7 +73,7 @@ pub struct BladeFile {
 /// syntax: what else is wrong with it cannot be known.
 ///
 /// ```
-/// use bladefan_core::file::{Format, read};
+/// use bladefan_core::formats::{Format, read};
 /// let faults = read("schema = \"bladefan-blade/1\"\nname = 4\n", Format::Toml).unwrap_err();
 /// assert_eq!(faults.last().unwrap().to_string(), "2:8: name: name must be text (is 4)");
 /// ```
@@ -132,7 +128,7 @@ fn read_placed(tree: &Tree) -> Result<BladeFile, Vec<Placed>> {
         Ok(_) => Err(faults),
         Err(found) => {
             let found = drop_consequences(found, &faults);
-            faults.extend(found.into_iter().map(|fault| Placed { at: place::find(tree, &fault.path), fault }));
+            faults.extend(found.into_iter().map(|fault| Placed { at: tree::find(tree, &fault.path), fault }));
             Err(faults)
         }
     }

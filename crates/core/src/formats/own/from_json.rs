@@ -1,8 +1,8 @@
 //! JSON text to a tree.
 
-use super::place::{Placed, decapitalised};
 use super::tree::{Entry, Node, Tree};
 use crate::fault::{Fault, FaultCode};
+use crate::formats::place::{Placed, decapitalised};
 use alloc::collections::BTreeSet;
 use alloc::string::ToString;
 use alloc::vec;

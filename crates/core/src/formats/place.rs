@@ -1,6 +1,5 @@
 //! Where faults stand in the text, and which of them only follow from others.
 
-use super::tree::{Node, Tree};
 use crate::fault::{Fault, FaultCode};
 use crate::order::order;
 use alloc::collections::BTreeSet;
@@ -13,27 +12,6 @@ use alloc::vec::Vec;
 pub(super) struct Placed {
     pub(super) at: Option<usize>,
     pub(super) fault: Fault,
-}
-
-/// The place of a path as the check writes it (`distribution.mass[3]`): of the value, or of the
-/// innermost table or list around it that is there; the text's beginning for a missing table.
-pub(super) fn find(tree: &Tree, path: &str) -> Option<usize> {
-    tree.span.as_ref()?;
-    let mut here = tree;
-    let mut at = 0;
-    for step in path.split(['.', '[']) {
-        let below = match step.strip_suffix(']') {
-            Some(index) => match &here.node {
-                Node::List(values) => index.parse().ok().and_then(|index: usize| values.get(index)),
-                _ => None,
-            },
-            None => here.get(step),
-        };
-        let Some(below) = below else { break };
-        at = below.at().unwrap_or(at);
-        here = below;
-    }
-    Some(at)
 }
 
 /// Orders faults by place and gives each its line and column, both from 1, columns in characters.

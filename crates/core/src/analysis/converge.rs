@@ -1,0 +1,89 @@
+//! Frequency against the number of assumed functions.
+
+use super::basis::{Basis, Classical, converged, solve};
+use super::{Settings, available, label, none, note, unsolvable};
+use crate::blade::Blade;
+use crate::converged::{Converged, TOLERANCE};
+use crate::dof::Dof;
+use crate::fault::Fault;
+use crate::functions::MOST_ORDER;
+use crate::modes::{Mode, SolveError};
+use crate::numerics::quadrature::GaussRules;
+use crate::numerics::scalar::sqrt;
+use crate::report::{ConvergeReport, ConvergeSeries};
+use alloc::boxed::Box;
+use alloc::string::ToString;
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// Frequency against the number of assumed functions at one speed. The functions are nested, so
+/// the matrices of fewer functions are leading parts of those of the most.
+///
+/// # Errors
+/// Faults in the settings, or equations without an answer.
+pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Vec<Fault>> {
+    none(settings.check_converge())?;
+    let rules = GaussRules::new();
+    let speed = settings.speed_or(blade.nominal_speed());
+    let mut report = ConvergeReport {
+        schema: "bladefan-converge/1",
+        blade: blade.name().to_string(),
+        speed_rad_s: speed,
+        functions: (1..=settings.up_to).collect(),
+        series: Vec::new(),
+        warnings: blade.warnings().to_vec(),
+    };
+    let square = speed * speed;
+    for dof in settings.ordered_dofs() {
+        let matrices = Classical::new(blade, dof, settings.up_to, &rules, false).matrices;
+        let mut values = vec![Vec::with_capacity(settings.up_to); settings.modes];
+        for &count in &report.functions {
+            let solved = available(&matrices.leading(count), square, settings.modes).map_err(unsolvable)?;
+            for (index, series) in values.iter_mut().enumerate() {
+                series.push(solved.get(index).map(|mode| mode.frequency));
+            }
+        }
+        let steps = piecewise_steps(blade, dof, speed, settings.modes, &rules)?;
+        let found = converged(blade, dof, (square, square), settings.modes + 1, &rules)?;
+        let reference = solve(found.matrices(), speed, settings.modes + 1)?;
+        let error = found.error();
+        let solved = reference.get(..settings.modes).unwrap_or(&reference);
+        let bounds = Basis::Piecewise(Box::new(found)).bounds(solved, &reference, square, &rules);
+        note(&mut report.warnings, dof, error);
+        report.series.extend(values.into_iter().enumerate().map(|(index, classical_rad_s)| ConvergeSeries {
+            label: label(dof, index + 1),
+            dof,
+            number: index + 1,
+            classical_rad_s,
+            converged_rad_s: solved.get(index).map(|mode| mode.frequency),
+            lower_rad_s: bounds.intervals.get(index).map(|interval| sqrt(interval.lower)),
+            upper_rad_s: bounds.intervals.get(index).map(|interval| sqrt(interval.upper)),
+            piecewise_functions: steps.iter().map(|(count, _)| *count).collect(),
+            piecewise_rad_s: steps.iter().map(|(_, modes)| modes.get(index).map(|mode| mode.frequency)).collect(),
+        }));
+    }
+    Ok(report)
+}
+
+/// Modes with more and more piecewise functions: one polynomial per element, two, three, … until
+/// they are converged.
+fn piecewise_steps(
+    blade: &Blade,
+    dof: Dof,
+    speed: f64,
+    count: usize,
+    rules: &GaussRules,
+) -> Result<Vec<(usize, Vec<Mode>)>, Vec<Fault>> {
+    let mut steps = Vec::new();
+    for order in 1..=MOST_ORDER {
+        let cause = |cause| unsolvable(SolveError { dof, cause });
+        let found = Converged::with_order(blade, dof, speed * speed, count, order, rules).map_err(cause)?;
+        let modes = available(found.matrices(), speed * speed, count).map_err(unsolvable)?;
+        let done = found.error() <= TOLERANCE && modes.len() == count;
+        steps.push((found.count(), modes));
+        if done {
+            break;
+        }
+    }
+    Ok(steps)
+}

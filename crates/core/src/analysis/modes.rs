@@ -1,0 +1,81 @@
+//! Frequencies at one speed.
+
+use super::basis::{Basis, Classical, converged, solve};
+use super::{Settings, available, label, margin, none, note, unsolvable};
+use crate::blade::Blade;
+use crate::fault::Fault;
+use crate::functions::BasisFamily;
+use crate::numerics::quadrature::GaussRules;
+use crate::numerics::scalar::sqrt;
+use crate::report::{BasisReport, FunctionCounts, Margin, ModeReport, ModesReport};
+use crate::units;
+use alloc::boxed::Box;
+use alloc::string::ToString;
+use alloc::vec::Vec;
+
+/// Frequencies of every degree of freedom asked for at one speed, with two-sided bounds and the
+/// paper's values beside them.
+///
+/// # Errors
+/// Faults in the settings, or equations without an answer.
+pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Vec<Fault>> {
+    none(settings.check())?;
+    let rules = GaussRules::new();
+    let speed = settings.speed_or(blade.nominal_speed());
+    let square = speed * speed;
+    let mut report = ModesReport {
+        schema: "bladefan-modes/1",
+        blade: blade.name().to_string(),
+        speed_rad_s: speed,
+        basis: BasisReport { family: settings.basis, functions: FunctionCounts::default() },
+        classical_functions: settings.functions,
+        modes: Vec::new(),
+        warnings: blade.warnings().to_vec(),
+    };
+    for dof in settings.ordered_dofs() {
+        let for_bounds = settings.basis == BasisFamily::Classical;
+        let paper = Classical::new(blade, dof, settings.functions, &rules, for_bounds);
+        // One mode more than asked for separates the last one from the rest.
+        let found = converged(blade, dof, (square, square), settings.modes + 1, &rules)?;
+        let reference = solve(found.matrices(), speed, settings.modes + 1)?;
+        let by_paper = available(&paper.matrices, square, settings.modes).map_err(unsolvable)?;
+        let error = found.error();
+        let basis = match settings.basis {
+            BasisFamily::Classical => Basis::Classical(Box::new(paper)),
+            BasisFamily::Piecewise => Basis::Piecewise(Box::new(found)),
+        };
+        let solved = match settings.basis {
+            BasisFamily::Classical => solve(basis.matrices(), speed, settings.modes)?,
+            BasisFamily::Piecewise => reference.get(..settings.modes).unwrap_or(&reference).to_vec(),
+        };
+        let bounds = basis.bounds(&solved, &reference, square, &rules);
+        report.basis.functions.set(dof, basis.count());
+        note(&mut report.warnings, dof, error);
+        for (index, (mode, interval)) in solved.iter().zip(&bounds.intervals).enumerate() {
+            let per_rev = units::per_rev(mode.frequency, speed);
+            let margin = per_rev.map(|per_rev| margin(label(dof, index + 1), per_rev));
+            report.modes.push(ModeReport {
+                label: label(dof, index + 1),
+                dof,
+                number: index + 1,
+                frequency_rad_s: mode.frequency,
+                frequency_hz: units::hz(mode.frequency),
+                per_rev,
+                nearest_harmonic: margin.as_ref().map(|margin| margin.nearest_harmonic),
+                margin_per_rev: margin.as_ref().map(|margin| margin.margin_per_rev),
+                lower_rad_s: Some(sqrt(interval.lower)),
+                upper_rad_s: Some(sqrt(interval.upper)),
+                separation_rad_s: bounds.separation.map(|square| sqrt(square.max(0.0))),
+                classical_rad_s: by_paper.get(index).map(|mode| mode.frequency),
+                converged_rad_s: reference.get(index).map(|mode| mode.frequency),
+                residual: mode.residual,
+            });
+        }
+    }
+    Ok(report)
+}
+
+/// How far each mode is from the nearest harmonic, as at nominal speed in a fan chart; nothing at rest.
+pub fn margins(report: &ModesReport) -> Vec<Margin> {
+    report.modes.iter().filter_map(|mode| Some(margin(mode.label.clone(), mode.per_rev?))).collect()
+}

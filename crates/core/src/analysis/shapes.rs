@@ -1,0 +1,65 @@
+//! Mode shapes along the span.
+
+use super::basis::{Basis, solve};
+use super::{Settings, ShapeScale, label, none, note};
+use crate::blade::Blade;
+use crate::dof::Dof;
+use crate::fault::Fault;
+use crate::lagrange::{tabulate, torsion_norm};
+use crate::modes;
+use crate::numerics::quadrature::GaussRules;
+use crate::report::{BasisReport, FunctionCounts, ShapeReport, ShapesReport};
+use alloc::string::ToString;
+use alloc::vec::Vec;
+
+/// Mode shapes along the span at one speed.
+///
+/// # Errors
+/// Faults in the settings, or equations without an answer.
+pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Vec<Fault>> {
+    none(settings.check())?;
+    let rules = GaussRules::new();
+    let speed = settings.speed_or(blade.nominal_speed());
+    let (inner, radius) = (blade.least_offset(), blade.radius());
+    let last = settings.points - 1;
+    let at = |i: usize| if i == last { radius } else { inner + (radius - inner) * (i as f64 / last as f64) };
+    let radii: Vec<f64> = (0..settings.points).map(at).collect();
+    let mut report = ShapesReport {
+        schema: "bladefan-shapes/1",
+        blade: blade.name().to_string(),
+        speed_rad_s: speed,
+        basis: BasisReport { family: settings.basis, functions: FunctionCounts::default() },
+        r_m: Vec::new(),
+        radius_m: radius,
+        shapes: Vec::new(),
+        warnings: blade.warnings().to_vec(),
+    };
+    for dof in settings.ordered_dofs() {
+        let basis = Basis::new(blade, dof, settings, (speed * speed, speed * speed), settings.modes, &rules)?;
+        report.basis.functions.set(dof, basis.count());
+        note(&mut report.warnings, dof, basis.error());
+        let solved = solve(basis.matrices(), speed, settings.modes)?;
+        let mass = basis.matrices().mass().clone();
+        let orthogonality = modes::orthogonality(&mass, &solved);
+        let functions = basis.into_functions();
+        let tables = tabulate(blade, dof, functions.as_ref(), &radii, &rules);
+        let norm = match (settings.normalise, dof) {
+            (ShapeScale::Max, _) => None,
+            (ShapeScale::Mass, Dof::Flap | Dof::Lag) => Some(mass),
+            (ShapeScale::Mass, Dof::Torsion) => Some(torsion_norm(blade, functions.as_ref(), &rules)),
+        };
+        let sampled = modes::shapes(&tables, &solved, speed * speed, norm.as_ref());
+        report.shapes.extend(solved.iter().zip(sampled).enumerate().map(|(index, (mode, shape))| ShapeReport {
+            label: label(dof, index + 1),
+            dof,
+            number: index + 1,
+            frequency_rad_s: mode.frequency,
+            orthogonality: orthogonality[index],
+            displacement: shape.displacement,
+            slope: shape.slope,
+            moment: shape.moment,
+        }));
+    }
+    report.r_m = radii;
+    Ok(report)
+}
