@@ -18,4 +18,4 @@ pub mod faults;
 pub mod paper;
 pub mod random;
 pub mod solve;
-mod sturm;
+pub(crate) mod sturm;

@@ -2,7 +2,7 @@
 //! `random-blades FOLDER [--count N] [--seed N]`.
 #![allow(clippy::print_stderr, reason = "a program speaks")]
 
-use bladefan_core::file::{to_json, to_toml};
+use bladefan_core::formats::{to_json, to_toml};
 use bladefan_tests::random;
 use std::path::PathBuf;
 use std::process::ExitCode;
