@@ -16,6 +16,11 @@ use bladefan_core::dof::Dof;
 impl<T: Real> Exact<T> {
     /// Number of eigenvalues ω² below `square` [rad²/s²], among them the 0 of a free root at rest.
     pub fn count_below(&self, speed: f64, square: T) -> usize {
+        self.try_count_below(speed, square).unwrap()
+    }
+
+    /// The same; nothing where the numbers on the way are too large or too small.
+    pub fn try_count_below(&self, speed: f64, square: T) -> Option<usize> {
         if self.dof == Dof::Torsion { self.count_twisting(speed, square) } else { self.count_bending(speed, square) }
     }
 
@@ -37,7 +42,7 @@ impl<T: Real> Exact<T> {
         0.5 * (low + high)
     }
 
-    fn count_twisting(&self, speed: f64, square: T) -> usize {
+    fn count_twisting(&self, speed: f64, square: T) -> Option<usize> {
         let pull = T::of(speed) * T::of(speed);
         let (mut state, mut count) = ([T::of(1.0), T::of(0.0)], 0);
         let zero = T::of(0.0);
@@ -46,10 +51,10 @@ impl<T: Real> Exact<T> {
             state = panel.twist(pull, square, state);
             count += usize::from((before < zero) != (state[0] < zero));
         }
-        count + self.turning_root(state[0], state[1])
+        Some(count + self.turning_root(state[0], state[1])?)
     }
 
-    fn count_bending(&self, speed: f64, square: T) -> usize {
+    fn count_bending(&self, speed: f64, square: T) -> Option<usize> {
         let pull = T::of(speed) * T::of(speed);
         let load = if self.dof == Dof::Lag { square + pull } else { square };
         let mut states = free_tip();
@@ -66,37 +71,37 @@ impl<T: Real> Exact<T> {
                 let (first, second) = ((c[i] * b[1] - d[i] * a[1]) / u0, (d[i] * a[0] - c[i] * b[0]) / u0);
                 core::array::from_fn(|j| first * forces[0][j] + second * forces[1][j])
             });
-            count += negative(n);
+            count += negative(n)?;
         }
         let scale = &self.root_panel().scale;
         orthonormalise(&mut states, scale);
         let [a, b] = states;
         // The motion that leaves the root where it is.
         let at = |i: usize| a[i] * b[0] - b[i] * a[0];
-        count + self.turning_root(at(1), at(2))
+        Some(count + self.turning_root(at(1), at(2))?)
     }
 
     /// 1 where the root may turn and its own pivot is negative.
-    fn turning_root(&self, turn: T, moment: T) -> usize {
-        let zero = T::of(0.0);
-        match self.root.hold {
-            Hold::Clamped => 0,
-            Hold::Free => usize::from(-moment / turn < zero),
-            Hold::Spring(k) => usize::from(T::of(k) - moment / turn < zero),
-        }
+    fn turning_root(&self, turn: T, moment: T) -> Option<usize> {
+        let pivot = match self.root.hold {
+            Hold::Clamped => return turn.near().is_finite().then_some(0),
+            Hold::Free => -moment / turn,
+            Hold::Spring(k) => T::of(k) - moment / turn,
+        };
+        pivot.near().is_finite().then(|| usize::from(pivot < T::of(0.0)))
     }
 }
 
 /// Negative eigenvalues of a symmetric matrix.
-fn negative<T: Real>([[a, b], [c, d]]: [[T; 2]; 2]) -> usize {
+fn negative<T: Real>([[a, b], [c, d]]: [[T; 2]; 2]) -> Option<usize> {
     let zero = T::of(0.0);
-    if a * d - b * c < zero {
-        1
-    } else if a + d < zero {
-        2
-    } else {
-        0
-    }
+    let (product, sum) = (a * d - b * c, a + d);
+    let count = match (product < zero, sum < zero) {
+        (true, _) => 1,
+        (false, true) => 2,
+        (false, false) => 0,
+    };
+    (product.near().is_finite() && sum.near().is_finite()).then_some(count)
 }
 
 #[cfg(test)]

@@ -13,7 +13,8 @@ const TAPER: f64 = 0.2;
 /// A polynomial in the local coordinate, lowest power first.
 type Poly<T> = Vec<T>;
 
-/// A stretch of the blade, coordinate x from its outboard end inward (x ≥ 0).
+/// A stretch of the blade. Its coordinate runs from 0 at the outboard end to 1 at the inboard one, so
+/// that no power of a very short length is ever taken.
 #[derive(Clone, Debug)]
 pub(crate) struct Panel<T> {
     length: T,
@@ -81,6 +82,16 @@ fn shifted<T: Real>(p: &[T], shift: T) -> Poly<T> {
         }
     }
     out
+}
+
+/// Coefficients in x / `length` instead of x.
+fn rescaled<T: Real>(mut p: Poly<T>, length: T) -> Poly<T> {
+    let mut power = T::of(1.0);
+    for c in &mut p {
+        *c = *c * power;
+        power = power * length;
+    }
+    p
 }
 
 /// The power of two nearest to a positive number, among those that leave room for products.
@@ -177,9 +188,9 @@ pub(super) fn of<T: Real>(blade: &TestBlade, dof: Dof, speed: f64, highest: f64,
             let stiff = power_of_two(value(&stretch.stiffness, x).near());
             panels.push(Panel {
                 length: step,
-                stiffness: shifted(&stretch.stiffness, x),
-                inertia: shifted(&stretch.inertia, x),
-                centrifugal: shifted(&stretch.centrifugal, x),
+                stiffness: rescaled(shifted(&stretch.stiffness, x), step),
+                inertia: rescaled(shifted(&stretch.inertia, x), step),
+                centrifugal: rescaled(shifted(&stretch.centrifugal, x), step),
                 scale: [unit, 1.0, stiff / unit, stiff / unit / unit],
             });
             x = if step >= length - x { length } else { x + step };
@@ -199,11 +210,11 @@ impl<T: Real> Panel<T> {
         });
         let unbent = T::of(1.0) / self.stiffness[0];
         for k in 0..TERMS {
-            let next = T::of(1.0) / T::of((k + 1) as f64);
+            let next = self.length / T::of((k + 1) as f64);
             // d/dr = −d/dx: every right-hand side changes sign.
             let mut bend = -m[k];
             if k >= 1 {
-                bend = bend - self.stiffness[1] * T::of(k as f64) * s[k];
+                bend = bend - self.stiffness[1] / self.length * T::of(k as f64) * s[k];
             }
             let sum = |coefficients: &[T], series: &[T]| {
                 coefficients.iter().take(k + 1).enumerate().fold(zero, |sum, (j, c)| sum + *c * series[k - j])
@@ -213,7 +224,7 @@ impl<T: Real> Panel<T> {
             m[k + 1] = -(v[k] + pull * sum(&self.centrifugal, &s)) * next;
             v[k + 1] = -load * sum(&self.inertia, &w) * next;
         }
-        [w, s, m, v].map(|series| value(&series, self.length))
+        [w, s, m, v].map(|series| value(&series, T::of(1.0)))
     }
 
     /// Carries angle and torque from the outboard to the inboard end and makes them of size 1 in the
@@ -223,11 +234,11 @@ impl<T: Real> Panel<T> {
         let (mut t, mut q) = ([zero; TERMS + 1], [zero; TERMS + 1]);
         (t[0], q[0]) = (theta, torque);
         for k in 0..TERMS {
-            let next = T::of(1.0) / T::of((k + 1) as f64);
+            let next = self.length / T::of((k + 1) as f64);
             // Inward coordinate: θ′ and Q′ change sign against the outward one.
             let mut tail = -q[k];
             if k >= 1 {
-                tail = tail - self.stiffness[1] * T::of(k as f64) * t[k];
+                tail = tail - self.stiffness[1] / self.length * T::of(k as f64) * t[k];
             }
             let sum = |coefficients: &[T]| {
                 coefficients.iter().take(k + 1).enumerate().fold(zero, |sum, (j, c)| sum + *c * t[k - j])
@@ -236,7 +247,7 @@ impl<T: Real> Panel<T> {
             t[k + 1] = tail / self.stiffness[0] * next;
             q[k + 1] = load * next;
         }
-        let [theta, torque] = [value(&t, self.length), value(&q, self.length)];
+        let [theta, torque] = [value(&t, T::of(1.0)), value(&q, T::of(1.0))];
         let size = T::of(1.0 / theta.near().hypot(torque.near() / self.scale[2]));
         [theta * size, torque * size]
     }
