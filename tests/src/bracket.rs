@@ -51,7 +51,7 @@ impl Case<'_> {
         2.0 * ROUNDING * (square + self.speed * self.speed) + soft
     }
 
-    fn exact(&self, modes: &[ModeReport]) -> (Exact, f64) {
+    fn exact(&self, modes: &[ModeReport]) -> (Exact<f64>, f64) {
         let highest = modes.iter().fold(0.0_f64, |most, mode| {
             most.max(mode.separation_rad_s.unwrap_or(0.0)).max(mode.upper_rad_s.unwrap_or(0.0))
         });
@@ -113,7 +113,7 @@ impl Case<'_> {
 
     /// The k-th eigenvalue is in its interval: fewer than k lie below the lower end, at least k below
     /// the upper.
-    fn check_inside(&self, modes: &[ModeReport], exact: &Exact, elastic: f64) -> Result<(), Wrong> {
+    fn check_inside(&self, modes: &[ModeReport], exact: &Exact<f64>, elastic: f64) -> Result<(), Wrong> {
         for (i, mode) in modes.iter().enumerate() {
             let (Some(lower), Some(upper)) = (mode.lower_rad_s, mode.upper_rad_s) else {
                 return Err(Wrong(self.describe("no bounds", modes, exact)));
@@ -133,7 +133,7 @@ impl Case<'_> {
     }
 
     /// What is wrong beside everything that is needed to see why.
-    fn describe(&self, what: &str, modes: &[ModeReport], exact: &Exact) -> String {
+    fn describe(&self, what: &str, modes: &[ModeReport], exact: &Exact<f64>) -> String {
         use fmt::Write as _;
         let mut text = format!("{} at {} rad/s: {what}", self.dof, self.speed);
         for (i, mode) in modes.iter().enumerate() {

@@ -4,6 +4,8 @@
 use crate::blades::{End, Hold, Table, TestBlade};
 use bladefan_core::dof::Dof;
 use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 
 /// All radii are multiples of this part of the tip radius, so that sampled shapes can be
 /// integrated piece by piece.
@@ -114,4 +116,13 @@ pub fn part_of_cases(part: u64, count: u32) -> ProptestConfig {
     };
     config.rng_seed = prop::test_runner::RngSeed::Fixed(seed.wrapping_add(part));
     config
+}
+
+/// The first `count` values of a strategy from a fixed seed: the same on every machine.
+pub fn draw<S: Strategy>(strategy: &S, count: usize, seed: u64) -> Vec<S::Value> {
+    let mut bytes = [0; 32];
+    bytes[..8].copy_from_slice(&seed.to_le_bytes());
+    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &bytes);
+    let mut runner = TestRunner::new_with_rng(ProptestConfig::default(), rng);
+    (0..count).map(|_| strategy.new_tree(&mut runner).unwrap().current()).collect()
 }

@@ -10,12 +10,17 @@
 //! to U₁ U₀⁻¹ Tᵀ, in which nothing is divided by the length of a panel.
 
 use crate::blades::Hold;
-use crate::exact::{Exact, advance, orthonormalise};
+use crate::exact::{Exact, Real, free_tip, orthonormalise, over};
 use bladefan_core::dof::Dof;
 
-impl Exact {
+impl<T: Real> Exact<T> {
     /// Number of eigenvalues ω² below `square` [rad²/s²], among them the 0 of a free root at rest.
-    pub fn count_below(&self, speed: f64, square: f64) -> usize {
+    pub fn count_below(&self, speed: f64, square: T) -> usize {
+        self.try_count_below(speed, square).unwrap()
+    }
+
+    /// The same; nothing where the numbers on the way are too large or too small.
+    pub fn try_count_below(&self, speed: f64, square: T) -> Option<usize> {
         if self.dof == Dof::Torsion { self.count_twisting(speed, square) } else { self.count_bending(speed, square) }
     }
 
@@ -23,12 +28,12 @@ impl Exact {
     /// mistaken for another. The panels must be short enough for it.
     pub fn eigenvalue(&self, speed: f64, number: usize) -> f64 {
         let (mut low, mut high) = (0.0, 1.0);
-        while self.count_below(speed, high) < number && high < 1e30 {
+        while self.count_below(speed, T::of(high)) < number && high < 1e200 {
             (low, high) = (high, 4.0 * high);
         }
         for _ in 0..150 {
             let middle = 0.5 * (low + high);
-            if self.count_below(speed, middle) < number {
+            if self.count_below(speed, T::of(middle)) < number {
                 low = middle;
             } else {
                 high = middle;
@@ -37,84 +42,84 @@ impl Exact {
         0.5 * (low + high)
     }
 
-    fn count_twisting(&self, speed: f64, square: f64) -> usize {
-        let (mut theta, mut torque, mut count) = (1.0_f64, 0.0_f64, 0);
+    fn count_twisting(&self, speed: f64, square: T) -> Option<usize> {
+        let pull = T::of(speed) * T::of(speed);
+        let (mut state, mut count) = ([T::of(1.0), T::of(0.0)], 0);
+        let zero = T::of(0.0);
         for panel in &self.panels {
-            let before = theta;
-            (theta, torque) = self.twist(panel, speed, square, theta, torque);
-            count += usize::from((before < 0.0) != (theta < 0.0));
+            let before = state[0];
+            state = panel.twist(pull, square, state);
+            count += usize::from((before < zero) != (state[0] < zero));
         }
-        count + self.turning_root(theta, torque * self.scale[2])
+        Some(count + self.turning_root(state[0], state[1])?)
     }
 
-    fn count_bending(&self, speed: f64, square: f64) -> usize {
-        let pull = speed * speed;
-        let load = square + if self.dof == Dof::Lag { pull } else { 0.0 };
-        let mut states = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0]];
+    fn count_bending(&self, speed: f64, square: T) -> Option<usize> {
+        let pull = T::of(speed) * T::of(speed);
+        let load = if self.dof == Dof::Lag { square + pull } else { square };
+        let mut states = free_tip();
         let mut count = 0;
         for panel in &self.panels {
-            let carry = |state: [f64; 4]| {
-                let mut state = state;
-                state.iter_mut().zip(self.scale).for_each(|(v, scale)| *v *= scale);
-                let mut after = advance(panel, pull, load, state);
-                after.iter_mut().zip(self.scale).for_each(|(v, scale)| *v /= scale);
-                after
-            };
-            let [a, b] = states;
-            // Unit forces against w and w′, of the signs that make N positive.
-            let forces = [carry([0.0, 0.0, 0.0, 1.0]), carry([0.0, 0.0, -1.0, 0.0])];
-            states = states.map(carry);
+            orthonormalise(&mut states, &panel.scale);
+            let [a, b] = states.map(|state| over(state, &panel.scale));
+            let forces = panel.yielding(pull, load);
+            states = states.map(|state| panel.advance(pull, load, state));
             // N = U₁ U₀⁻¹ Tᵀ, positive definite without inertia; columns of U are the two states.
             let u0 = a[0] * b[1] - b[0] * a[1];
-            let [c, d] = states;
-            let mut n = [[0.0; 2]; 2];
-            for (i, row) in n.iter_mut().enumerate() {
+            let [c, d] = states.map(|state| over(state, &panel.scale));
+            let n: [[T; 2]; 2] = core::array::from_fn(|i| {
                 let (first, second) = ((c[i] * b[1] - d[i] * a[1]) / u0, (d[i] * a[0] - c[i] * b[0]) / u0);
-                for (j, entry) in row.iter_mut().enumerate() {
-                    *entry = first * forces[0][j] + second * forces[1][j];
-                }
-            }
-            count += negative(n);
-            orthonormalise(&mut states);
+                core::array::from_fn(|j| first * forces[0][j] + second * forces[1][j])
+            });
+            count += negative(n)?;
         }
+        let scale = &self.root_panel().scale;
+        orthonormalise(&mut states, scale);
         let [a, b] = states;
         // The motion that leaves the root where it is.
         let at = |i: usize| a[i] * b[0] - b[i] * a[0];
-        count + self.turning_root(at(1) * self.scale[1], at(2) * self.scale[2])
+        Some(count + self.turning_root(at(1), at(2))?)
     }
 
     /// 1 where the root may turn and its own pivot is negative.
-    fn turning_root(&self, turn: f64, moment: f64) -> usize {
-        match self.root.hold {
-            Hold::Clamped => 0,
-            Hold::Free => usize::from(-moment / turn < 0.0),
-            Hold::Spring(k) => usize::from(k - moment / turn < 0.0),
-        }
+    fn turning_root(&self, turn: T, moment: T) -> Option<usize> {
+        let pivot = match self.root.hold {
+            Hold::Clamped => return turn.near().is_finite().then_some(0),
+            Hold::Free => -moment / turn,
+            Hold::Spring(k) => T::of(k) - moment / turn,
+        };
+        pivot.near().is_finite().then(|| usize::from(pivot < T::of(0.0)))
     }
 }
 
 /// Negative eigenvalues of a symmetric matrix.
-fn negative([[a, b], [c, d]]: [[f64; 2]; 2]) -> usize {
-    if a * d - b * c < 0.0 {
-        1
-    } else if a + d < 0.0 {
-        2
-    } else {
-        0
-    }
+fn negative<T: Real>([[a, b], [c, d]]: [[T; 2]; 2]) -> Option<usize> {
+    let zero = T::of(0.0);
+    let (product, sum) = (a * d - b * c, a + d);
+    let count = match (product < zero, sum < zero) {
+        (true, _) => 1,
+        (false, true) => 2,
+        (false, false) => 0,
+    };
+    (product.near().is_finite() && sum.near().is_finite()).then_some(count)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::blades::{End, TestBlade};
+    use crate::exact::Double;
 
     /// Below and above each known value; the panels must suit the highest.
     fn assert_counted(blade: &TestBlade, dof: Dof, speed: f64, known: &[f64]) {
-        let exact = Exact::new(blade, dof, speed, 2.0 * known.last().unwrap());
+        let exact = Exact::<f64>::new(blade, dof, speed, 2.0 * known.last().unwrap());
+        let precise = Exact::<Double>::new(blade, dof, speed, 2.0 * known.last().unwrap());
         for (i, f) in known.iter().enumerate() {
             let counts = [1.0 - 1e-9, 1.0 + 1e-9].map(|factor| exact.count_below(speed, (f * factor).powi(2)));
             assert_eq!(counts, [i, i + 1], "{dof} at {speed}, around {f}");
+            let counts = [1.0 - 1e-12, 1.0 + 1e-12]
+                .map(|factor| precise.count_below(speed, Double::of(f * factor) * Double::of(f * factor)));
+            assert_eq!(counts, [i, i + 1], "{dof} at {speed}, around {f}, with twice the digits");
             assert!((exact.eigenvalue(speed, i + 1).sqrt() / f - 1.0).abs() < 2e-11, "{dof} at {speed}, {f}");
         }
     }
@@ -142,7 +147,7 @@ mod tests {
         let blade =
             TestBlade::uniform(1.0).with_root(Dof::Flap, End::free(0.0)).with_root(Dof::Torsion, End::spring(0.0, 0.0));
         for dof in [Dof::Flap, Dof::Torsion] {
-            let exact = Exact::new(&blade, dof, 0.0, 10.0);
+            let exact = Exact::<f64>::new(&blade, dof, 0.0, 10.0);
             assert_eq!([-1e-6, 1e-6].map(|square| exact.count_below(0.0, square)), [0, 1], "{dof}");
         }
     }
