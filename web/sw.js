@@ -3,14 +3,25 @@
 const CACHE = "bladefan";
 /** All that the page is made of, beside the package. tests/web/share.test.mjs holds it to the folder. */
 const FILES = [
-  "./", "icon.svg", "blade.css", "chart.css", "motion.css", "print.css", "stations.css", "style.css", "band.js",
-  "before.js", "blade.js", "chart-data.js", "chart-tools.js", "chart.js", "client.js", "close-tools.js",
-  "columns.js", "document.js", "dom.js", "drawing.js", "download.js", "editor.js", "form.js", "format.js", "frame.js", "hover.js",
-  "lesson.js", "main.js", "measured.js", "motion.js", "nearness.js", "pack.js", "paste-panel.js", "paste.js",
-  "plate.js", "profile.js", "report.js", "save.js", "scale.js", "sensitivity.js", "session.js", "shape.js",
-  "share.js", "sheet-editor.js", "sheet-keys.js", "sheet.js", "solve.js", "solver.js", "span-forms.js", "span.js", "speed.js",
-  "state.js", "stations-faults.js", "stations-parts.js", "stations.js", "table.js", "theme.js", "units.js",
-  "view.js", "what-if.js", "worker.js", "zoom.js",
+  "./", "icon.svg",
+  "app/main.js", "app/pack.js", "app/session.js", "app/share.js", "app/state.js", "app/theme.js",
+  "app/view.js",
+  "blade/document.js", "blade/form.js", "blade/open.js", "blade/text.js", "blade/units.js",
+  "blade/what-if.js",
+  "chart/band.js", "chart/chart.js", "chart/frame.js", "chart/hover.js", "chart/measured.js",
+  "chart/numbers.js", "chart/patch.js", "chart/speed.js", "chart/tools.js", "chart/unchanged.js",
+  "chart/zoom.js",
+  "lib/dof-toggles.js", "lib/dom.js", "lib/faults.js", "lib/format.js", "lib/scale.js", "lib/speed-words.js",
+  "lib/unit-words.js",
+  "modes/lesson.js", "modes/motion.js", "modes/movers.js", "modes/nearness.js", "modes/plate.js",
+  "modes/shape.js", "modes/table.js",
+  "out/download.js", "out/report.js", "out/save.js",
+  "solver/client.js", "solver/keep-up.js", "solver/lanes.js", "solver/worker.js",
+  "stations/columns.js", "stations/faults.js", "stations/forms.js", "stations/parts.js",
+  "stations/paste/block.js", "stations/paste/panel.js", "stations/profiles.js", "stations/sheet/editor.js",
+  "stations/sheet/grid.js", "stations/sheet/keys.js", "stations/span.js", "stations/tab.js",
+  "styles/blade.css", "styles/chart.css", "styles/motion.css", "styles/page.css", "styles/print.css",
+  "styles/stations.css",
 ];
 const MODULES = ["bladefan_first", "bladefan_wasm"];
 

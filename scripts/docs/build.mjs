@@ -75,7 +75,7 @@ pages.forEach((page, i) => write(page.address, layOut(page, pages, pages[i - 1],
 for (const [source, address] of files) cpSync(root + source, `${aside}/${address}`);
 
 // The calculator's colours, from where it has them.
-const [colours] = /^:root \{[^}]*\}\n/m.exec(read("web/style.css"));
+const [colours] = /^:root \{[^}]*\}\n/m.exec(read("web/styles/page.css"));
 write("docs.css", colours + read("scripts/docs/docs.css"));
 write("math.css", readFileSync(`${packages}temml/dist/Temml-Local.css`, "utf8") + read("scripts/docs/math.css") + equations.css());
 const font = "@fontsource/stix-two-math";

@@ -53,10 +53,11 @@ struct Room {
     may_import: Vec<String>,
 }
 
-fn rooms() -> Vec<Room> {
+/// The rows of the table whose first column is headed `head`.
+fn rooms(head: &str) -> Vec<Room> {
     let text = read("docs/ARCHITECTURE.md");
     let quoted = |cell: &str| cell.split('`').skip(1).step_by(2).map(String::from).collect::<Vec<_>>();
-    let rows = text.lines().skip_while(|line| !line.starts_with("| room |")).skip(2);
+    let rows = text.lines().skip_while(|line| !line.starts_with(&format!("| {head} |"))).skip(2);
     rows.take_while(|line| line.starts_with('|'))
         .map(|line| {
             let cells: Vec<&str> = line.split('|').collect();
@@ -122,7 +123,7 @@ fn dependencies_of_core() -> Vec<String> {
 
 #[test]
 fn imports_of_core_follow_the_table_of_rooms() {
-    let rooms = rooms();
+    let rooms = rooms("room");
     assert!(rooms.len() > 10, "the table of rooms was not found");
     let dependencies = dependencies_of_core();
     assert!(dependencies.iter().any(|name| name == "nalgebra"), "the dependencies were not found");
@@ -156,6 +157,83 @@ fn imports_of_core_follow_the_table_of_rooms() {
     }
     faults.extend(rooms.iter().filter(|r| !lived_in.contains(&r.path)).map(|r| format!("room {} is empty", r.path)));
     assert_none(&faults);
+}
+
+/// Paths relative to its own folder that a module of the page names, be it to import or to start.
+fn relative_paths(code: &str) -> Vec<&str> {
+    let starts = code.match_indices(['"', '\'', '`']).map(|(at, _)| &code[at + 1..]);
+    let relative = starts.filter(|rest| rest.starts_with("./") || rest.starts_with("../"));
+    relative.map(|rest| rest.split(['"', '\'', '`', '$']).next().unwrap()).collect()
+}
+
+/// `path` as seen from the folder of `file`; both in the page's folder.
+fn resolved(file: &str, path: &str) -> String {
+    let mut steps: Vec<&str> = file.split('/').collect();
+    steps.pop();
+    for step in path.split('/').filter(|step| *step != ".") {
+        if step == ".." {
+            steps.pop();
+        } else {
+            steps.push(step);
+        }
+    }
+    steps.join("/")
+}
+
+#[test]
+fn imports_of_the_page_follow_its_table_of_rooms() {
+    let rooms = rooms("room of the page");
+    assert!(rooms.len() > 5, "the table of rooms of the page was not found");
+    let web = root().join("web");
+    let mut faults = Vec::new();
+    let mut arrows = BTreeSet::new();
+    for path in files("web").into_iter().filter(|path| has_ending(path, &["js"])) {
+        let file = path.strip_prefix(&web).unwrap().to_str().unwrap();
+        let code = fs::read_to_string(&path).unwrap();
+        let Some((folder, _)) = file.split_once('/') else {
+            if code.contains("\nimport ") {
+                faults.push(format!("{file} imports, and stands in no room"));
+            }
+            continue;
+        };
+        let Some(room) = rooms.iter().find(|room| room.path == folder) else {
+            faults.push(format!("{file} stands in no room of the page in docs/ARCHITECTURE.md"));
+            continue;
+        };
+        for import in relative_paths(&code).into_iter().map(|import| resolved(file, import)) {
+            let target = import.split('/').next().unwrap();
+            if target != "pkg" && !web.join(&import).is_file() {
+                faults.push(format!("{file} names {import}, which is not there"));
+            }
+            if target != folder && !room.may_import.iter().any(|allowed| allowed == target) {
+                faults.push(format!("{file} imports {import}, which room {folder} may not"));
+            }
+            arrows.insert((folder.to_string(), target.to_string()));
+        }
+    }
+    for room in &rooms {
+        let unused = room.may_import.iter().filter(|to| !arrows.contains(&(room.path.clone(), (*to).clone())));
+        faults.extend(unused.map(|to| format!("nothing in {} imports {to}", room.path)));
+    }
+    // Rooms that import only what is built already are built; where arrows lead round, some never are.
+    let mut built = vec!["pkg"];
+    while let Some(room) = rooms.iter().find(|room| {
+        !built.contains(&room.path.as_str()) && room.may_import.iter().all(|to| built.contains(&to.as_str()))
+    }) {
+        built.push(&room.path);
+    }
+    let round = rooms.iter().filter(|room| !built.contains(&room.path.as_str()));
+    faults.extend(round.map(|room| format!("arrows from {} lead round, or to no room", room.path)));
+    assert_none(&faults);
+}
+
+#[test]
+fn modules_of_the_page_are_read_whole() {
+    let code =
+        "import { a } from \"./a.js\";\nconst b = import('../b/c.js');\nnew URL(`../pkg/${name}/d.js`, x); \"e.js\"";
+    assert_eq!(relative_paths(code), ["./a.js", "../b/c.js", "../pkg/"], "paths");
+    assert_eq!(resolved("b/sub/f.js", "../../pkg/x.js"), "pkg/x.js", "up and down");
+    assert_eq!(resolved("b/f.js", "./g.js"), "b/g.js", "beside");
 }
 
 #[test]

@@ -2,8 +2,9 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { fieldValue, setAt, valueAt } from "../../web/document.js";
-import { NEUTRAL, points, scaled } from "../../web/scale.js";
+import { setAt, valueAt } from "../../web/blade/document.js";
+import { fieldValue } from "../../web/lib/format.js";
+import { NEUTRAL, points, scaled } from "../../web/lib/scale.js";
 import { call, frequencies, pageTest, paste } from "./support.mjs";
 
 const field = (page, path) => page.locator(`[data-path="${path}"]`);

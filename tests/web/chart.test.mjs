@@ -57,7 +57,7 @@ test("between the report's speeds a branch is read to a millionth", async () => 
   try {
     const blade = await bladeOf(page, "tm4760");
     const { value: fan } = await call(page, "fan", blade);
-    const { between } = await import("../../web/frame.js");
+    const { between } = await import("../../web/chart/frame.js");
     for (const [i, part] of [[1, 0.4], [30, 0.5], [77, 0.9], [99, 0.5]]) {
       const speed = fan.speeds_rad_s[i] + part * (fan.speeds_rad_s[i + 1] - fan.speeds_rad_s[i]);
       const { value } = await call(page, "modes", blade, { speed });
@@ -354,12 +354,12 @@ for (const [width, height] of [[1280, 800], [390, 844]]) {
 
 pageTest("a drawing changed in place is the drawing made anew, and nothing else is changed in place", {}, async (page) => {
   const blade = await bladeOf(page, "tm4760");
-  const { scaled, NEUTRAL } = await import("../../web/scale.js");
+  const { scaled, NEUTRAL } = await import("../../web/lib/scale.js");
   const draw = (changed, looks = {}) => call(page, "chart_svg", "fan", changed, { width: 900, ...looks }).then(({ value }) => value.svg);
   const soft = (factor) => scaled(blade, { ...NEUTRAL, factors: { ...NEUTRAL.factors, flap_stiffness: factor } });
   const become = (from, to) =>
     page.evaluate(async ([from, to]) => {
-      const { Drawing } = await import("./drawing.js");
+      const { Drawing } = await import("./chart/patch.js");
       const drawing = new Drawing(from);
       const became = drawing.become(to);
       return { became, right: drawing.root.outerHTML === new Drawing(became ? to : from).root.outerHTML };
@@ -461,7 +461,7 @@ pageTest("frame time: a what-if step redraws the converged chart", { reducedMoti
 
   // The last step is what stands there in the end.
   const blade = await bladeOf(page, "tm4760");
-  const { scaled, NEUTRAL } = await import("../../web/scale.js");
+  const { scaled, NEUTRAL } = await import("../../web/lib/scale.js");
   const { value } = await call(page, "modes", scaled(blade, { ...NEUTRAL, factors: { ...NEUTRAL.factors, flap_stiffness: result.factor } }));
   await page.waitForFunction((last) => Number(document.querySelector("#modes tbody td[data-full]").dataset.full) === last, value.modes[0].frequency_rad_s);
   const asked = await page.evaluate(() => window.asked);

@@ -3,8 +3,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
-import { Client } from "../../web/client.js";
-import { Solver } from "../../web/solver.js";
+import { Client } from "../../web/solver/client.js";
+import { Solver } from "../../web/solver/lanes.js";
 
 /** A worker that answers when told to. */
 class FakeWorker {

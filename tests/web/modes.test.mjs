@@ -2,10 +2,10 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { lessonWords } from "../../web/lesson.js";
-import { NEAR, TOO_NEAR, nearModes, nearness } from "../../web/nearness.js";
-import { STAGE, camera, chordAt, hubPaths, platePaths } from "../../web/plate.js";
-import { REVOLUTION_S, largest, nodeWords, nodesOf, pace } from "../../web/shape.js";
+import { lessonWords } from "../../web/modes/lesson.js";
+import { NEAR, TOO_NEAR, nearModes, nearness } from "../../web/modes/nearness.js";
+import { STAGE, camera, chordAt, hubPaths, platePaths } from "../../web/modes/plate.js";
+import { REVOLUTION_S, largest, nodeWords, nodesOf, pace } from "../../web/modes/shape.js";
 import { call, pageTest, rows } from "./support.mjs";
 
 const modesTest = (name, options, body) =>

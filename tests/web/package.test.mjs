@@ -5,6 +5,8 @@ import { test } from "node:test";
 import { drawn, frequencies, open, pageTest } from "./support.mjs";
 
 pageTest("the first chart, the table and the sliders need the small module alone", {}, async (page) => {
+  // The page as it was opened asks for the whole module, too, and may do so late: it is let finish.
+  await page.locator("#motion svg.shape-plot").waitFor();
   let release;
   const held = new Promise((resolve) => (release = resolve));
   const asked = [];

@@ -2,10 +2,11 @@
 
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
+import { join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { test } from "node:test";
-import { pack, unpack } from "../../web/pack.js";
-import { NEUTRAL } from "../../web/scale.js";
+import { pack, unpack } from "../../web/app/pack.js";
+import { NEUTRAL } from "../../web/lib/scale.js";
 import { drawn, frequencies, open, pageTest } from "./support.mjs";
 
 const state = {
@@ -162,6 +163,9 @@ test("what the page keeps for that is all of it", () => {
   const web = fileURLToPath(new URL("../../web/", import.meta.url));
   const kept = /const FILES = \[(.*?)\];/s.exec(readFileSync(`${web}sw.js`, "utf8"))[1];
   const named = [...kept.matchAll(/"([^"]+)"/g)].map((match) => match[1]).filter((name) => name !== "./");
-  const there = readdirSync(web, { withFileTypes: true }).filter((entry) => entry.isFile() && !["sw.js", "index.html"].includes(entry.name));
-  assert.deepEqual(named.sort(), there.map((entry) => entry.name).sort());
+  const there = readdirSync(web, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => relative(web, join(entry.parentPath ?? entry.path, entry.name)).replaceAll("\\", "/"))
+    .filter((path) => !/^(pkg|docs)\//.test(path) && !["sw.js", "index.html"].includes(path));
+  assert.deepEqual(named.sort(), there.sort());
 });

@@ -2,12 +2,12 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { columnOf, isUnit } from "../../web/columns.js";
-import { headerNotes, mapped } from "../../web/paste-panel.js";
-import { MOST_ROWS, blockWords, readBlock, writeBlock } from "../../web/paste.js";
-import { profilePoints, profileWords } from "../../web/profile.js";
-import { addRow, addStep, cellOf, deleteRows, formOf, moveRows, placeOf, putBlock, readOnly, replaceAll, setCell, stepAt } from "../../web/span.js";
-import { convert } from "../../web/span-forms.js";
+import { columnOf, isUnit } from "../../web/stations/columns.js";
+import { convert } from "../../web/stations/forms.js";
+import { MOST_ROWS, blockWords, readBlock, writeBlock } from "../../web/stations/paste/block.js";
+import { headerNotes, mapped } from "../../web/stations/paste/panel.js";
+import { profilePoints, profileWords } from "../../web/stations/profiles.js";
+import { addRow, addStep, cellOf, deleteRows, formOf, moveRows, placeOf, putBlock, readOnly, replaceAll, setCell, stepAt } from "../../web/stations/span.js";
 
 const rows = (text) => {
   const block = readBlock(text);

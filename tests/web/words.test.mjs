@@ -2,10 +2,13 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { convergeCsv, csv, fanCsv, fileName } from "../../web/download.js";
-import { faultPlace, fieldNumber, figures, marginWords, textOffset } from "../../web/format.js";
-import { createStore } from "../../web/state.js";
-import { closestWords } from "../../web/table.js";
+import { pack, unpack } from "../../web/app/pack.js";
+import { STATE, createStore } from "../../web/app/state.js";
+import { textOffset } from "../../web/blade/text.js";
+import { faultPlace } from "../../web/lib/faults.js";
+import { fieldNumber, figures, marginWords } from "../../web/lib/format.js";
+import { closestWords } from "../../web/modes/table.js";
+import { convergeCsv, csv, fanCsv, fileName } from "../../web/out/download.js";
 
 test("numbers have four significant figures and a real minus sign", () => {
   const cases = [
@@ -87,4 +90,37 @@ test("the state tells what really changed", () => {
   store.set({ a: 1 });
   store.set({ a: 2, b: 2 });
   assert.deepEqual(heard, [["a"]]);
+});
+
+test("what the state hands out is frozen, and a key that it does not declare is refused", () => {
+  const store = createStore({ doc: { rotor: { radius: 2 } }, list: [], bytes: null });
+  const before = store.get();
+  assert.throws(() => (before.doc.rotor.radius = 3), TypeError);
+  assert.throws(() => (before.doc = null), TypeError);
+  assert.throws(() => before.list.push(1), TypeError);
+  const given = { rotor: { radius: 3 }, stations: [{ r: 0 }, [1, 2]] };
+  store.set({ doc: given, bytes: new Float64Array(2) });
+  assert.throws(() => (given.rotor.radius = 4), TypeError, "what was given, too");
+  assert.throws(() => (store.get().doc.stations[0].r = 1), TypeError);
+  assert.throws(() => store.get().doc.stations[1].sort(), TypeError);
+  assert.equal(before.doc.rotor.radius, 2, "what was handed out stays");
+  assert.throws(() => store.set({ doc: null, documnet: 1 }), /no key “documnet”/);
+  assert.equal(store.get().doc, given, "then nothing is set");
+});
+
+test("a listener that sets more is followed by listeners of the newest state", () => {
+  const store = createStore({ tab: "fan", width: 0 });
+  const heard = [];
+  store.subscribe((_, changed) => changed.has("tab") && store.set({ width: 5 }));
+  store.subscribe(({ tab, width }, changed) => heard.push([tab, width, ...changed]));
+  store.set({ tab: "text" });
+  assert.deepEqual(heard, [["text", 5, "width"], ["text", 5, "tab"]]);
+});
+
+test("each key of the state that a view is made of is declared", async () => {
+  const { view } = await unpack(await pack({ ...STATE, doc: {} }));
+  const declared = Object.keys(STATE);
+  assert.ok(Object.keys(view).length > 10);
+  assert.deepEqual(Object.keys(view).filter((key) => !declared.includes(key)), []);
+  assert.deepEqual(Object.entries(view).filter(([key, value]) => JSON.stringify(value) !== JSON.stringify(STATE[key])), []);
 });

@@ -1,11 +1,9 @@
-//! The commands and their options. Values stay text here: the core reads and checks them
-//! (`Settings::set`), so that the page and the command line have the same rules and messages.
+//! The commands and their options.
 
-use crate::failure::Failure;
+mod settings;
+
 use crate::help;
-use bladefan_core::analysis::Settings;
-use bladefan_core::chart::{ChartOptions, FrequencyUnit, Theme, parse_frequencies};
-use bladefan_core::fault::Faults;
+use bladefan_core::chart::{ChartOptions, FrequencyUnit, Theme};
 use bladefan_core::units::SpeedUnit;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
@@ -116,6 +114,13 @@ pub(crate) struct DrawingArgs {
     pub(crate) speed_unit: SpeedUnit,
 }
 
+impl DrawingArgs {
+    /// Whether anything is drawn.
+    pub(crate) fn any(&self) -> bool {
+        self.svg.is_some() || self.png.is_some()
+    }
+}
+
 #[derive(Debug, Args)]
 pub(crate) struct FrequencyUnitArg {
     /// Unit of frequencies in the drawing
@@ -137,13 +142,13 @@ pub(crate) struct SolverArgs {
     /// Degrees of freedom [default: flap,lag,torsion]
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     dof: Option<String>,
-    /// Assumed functions: piecewise (converged, with bounds) or classical (the paper's) [default: piecewise]
-    #[arg(long, value_name = "FAMILY", allow_hyphen_values = true)]
-    basis: Option<String>,
 }
 
 #[derive(Debug, Args)]
-pub(crate) struct FunctionsArg {
+pub(crate) struct FamilyArgs {
+    /// Assumed functions: piecewise (converged, with bounds) or classical (the paper's) [default: piecewise]
+    #[arg(long, value_name = "FAMILY", allow_hyphen_values = true)]
+    basis: Option<String>,
     /// Number of classical functions per degree of freedom [default: 15]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     functions: Option<String>,
@@ -165,7 +170,7 @@ pub(crate) struct ModesArgs {
     #[command(flatten)]
     solver: SolverArgs,
     #[command(flatten)]
-    functions: FunctionsArg,
+    family: FamilyArgs,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
 }
@@ -192,7 +197,7 @@ pub(crate) struct FanArgs {
     #[command(flatten)]
     solver: SolverArgs,
     #[command(flatten)]
-    functions: FunctionsArg,
+    family: FamilyArgs,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     #[command(flatten)]
@@ -216,7 +221,7 @@ pub(crate) struct ShapesArgs {
     #[command(flatten)]
     solver: SolverArgs,
     #[command(flatten)]
-    functions: FunctionsArg,
+    family: FamilyArgs,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     #[command(flatten)]
@@ -234,6 +239,9 @@ pub(crate) struct ConvergeArgs {
     up_to: Option<String>,
     #[command(flatten)]
     solver: SolverArgs,
+    // Taken, as by every command; but a convergence study has both families anyway.
+    #[arg(long, value_name = "FAMILY", allow_hyphen_values = true, hide = true)]
+    basis: Option<String>,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     #[command(flatten)]
@@ -256,84 +264,4 @@ pub(crate) struct BladesArgs {
     pub(crate) name: Option<String>,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
-}
-
-/// Options by the names that the core knows them by.
-type Given<'a> = Vec<(&'static str, &'a Option<String>)>;
-
-/// Reads options into settings and checks them; every fault at once.
-fn read(given: Given<'_>) -> Result<Settings, Failure> {
-    let settings = set(given)?;
-    checked(settings.check()).map(|()| settings)
-}
-
-fn set(given: Given<'_>) -> Result<Settings, Failure> {
-    let mut settings = Settings::default();
-    let mut faults = Vec::new();
-    for (name, text) in given {
-        if let Some(text) = text
-            && let Err(fault) = settings.set(name, text)
-        {
-            faults.push(fault);
-        }
-    }
-    checked(Faults::from(faults).none()).map(|()| settings)
-}
-
-fn checked(checked: Result<(), Faults>) -> Result<(), Failure> {
-    checked.map_err(|faults| Failure::options(&faults))
-}
-
-impl SolverArgs {
-    fn given(&self) -> Given<'_> {
-        vec![("modes", &self.modes), ("dof", &self.dof), ("basis", &self.basis)]
-    }
-}
-
-impl ModesArgs {
-    pub(crate) fn settings(&self) -> Result<Settings, Failure> {
-        let mut given = vec![("speed", &self.speed.speed), ("functions", &self.functions.functions)];
-        given.extend(self.solver.given());
-        read(given)
-    }
-}
-
-impl FanArgs {
-    /// The settings, and the range of the frequency axis.
-    pub(crate) fn settings(&self) -> Result<(Settings, Option<(f64, f64)>), Failure> {
-        let mut given = vec![
-            ("speeds", &self.speeds),
-            ("harmonics", &self.harmonics),
-            ("band", &self.band),
-            ("functions", &self.functions.functions),
-        ];
-        given.extend(self.solver.given());
-        let window = self.frequencies.as_deref().map(parse_frequencies).transpose();
-        match (read(given), window) {
-            (Ok(settings), Ok(window)) => Ok((settings, window)),
-            (settings, window) => Err(Failure::both(settings.err(), window.err().as_ref())),
-        }
-    }
-}
-
-impl ShapesArgs {
-    pub(crate) fn settings(&self) -> Result<Settings, Failure> {
-        let mut given = vec![
-            ("speed", &self.speed.speed),
-            ("points", &self.points),
-            ("normalise", &self.normalise),
-            ("functions", &self.functions.functions),
-        ];
-        given.extend(self.solver.given());
-        read(given)
-    }
-}
-
-impl ConvergeArgs {
-    pub(crate) fn settings(&self) -> Result<Settings, Failure> {
-        let mut given = vec![("speed", &self.speed.speed), ("up_to", &self.up_to)];
-        given.extend(self.solver.given());
-        let settings = set(given)?;
-        checked(settings.check_converge()).map(|()| settings)
-    }
 }

@@ -1,8 +1,7 @@
-//! What can go wrong, how it is said on standard error, and the exit code of each.
+//! What can go wrong, in which words, and the exit code of each.
 
-use anstyle::{AnsiColor, Style};
-use bladefan_core::fault::{Fault, FaultCode, Warning};
-use std::io::{self, Write};
+use bladefan_core::fault::{Fault, FaultCode};
+use std::io;
 use std::process::ExitCode;
 
 /// Exit code of bad usage and bad input.
@@ -60,17 +59,20 @@ impl Failure {
         }
     }
 
-    /// Says what went wrong and gives the exit code.
-    pub(crate) fn report(&self) -> ExitCode {
+    /// What there is to say, line by line.
+    pub(crate) fn lines(&self) -> &[String] {
         match self {
-            Self::Input(lines) => {
-                say(lines.iter());
-                ExitCode::from(BAD_INPUT)
-            }
-            Self::Output(line) => {
-                say([line].into_iter());
-                ExitCode::FAILURE
-            }
+            Self::Input(lines) => lines,
+            Self::Output(line) => core::slice::from_ref(line),
+            Self::ClosedPipe => &[],
+        }
+    }
+
+    /// How the program ends.
+    pub(crate) fn code(&self) -> ExitCode {
+        match self {
+            Self::Input(_) => ExitCode::from(BAD_INPUT),
+            Self::Output(_) => ExitCode::FAILURE,
             Self::ClosedPipe => ExitCode::SUCCESS,
         }
     }
@@ -80,24 +82,39 @@ fn option_line(fault: &Fault) -> String {
     format!("--{}: {}", fault.path.replace('_', "-"), fault.message)
 }
 
-/// Warnings of a blade on standard error.
-pub(crate) fn warn(warnings: &[Warning]) {
-    let style = Style::new().fg_color(Some(AnsiColor::Yellow.into()));
-    say(warnings.iter().map(|warning| format!("{style}warning:{style:#} {warning}")));
-}
-
-/// Lines on standard error. Where even that fails there is nobody left to tell.
-fn say(lines: impl Iterator<Item = impl core::fmt::Display>) {
-    let mut stream = anstream::stderr().lock();
-    for line in lines {
-        let _ = writeln!(stream, "{line}");
-    }
-}
-
 /// An error of the system in our words where there are shorter ones, without its number.
 pub(crate) fn reason(error: &io::Error) -> String {
     let text = error.to_string();
     let text = text.split(" (os error").next().unwrap_or_default();
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn faults_stand_under_their_file_and_options_under_their_name() {
+        let mut placed = Fault::new(FaultCode::WrongType, "name", None, "rule", "must be text");
+        (placed.line, placed.column) = (Some(2), Some(8));
+        let whole = Fault::new(FaultCode::Unsolvable, "", None, "rule", "no answer");
+        let option = Fault::new(FaultCode::Option, "up_to", None, "rule", "must be less");
+        let failure = Failure::faults("a.toml", &[placed, whole, option.clone()]);
+        assert_eq!(failure.lines(), ["a.toml:2:8: name: must be text", "a.toml: no answer", "--up-to: must be less"]);
+        let both = Failure::both(Some(Failure::input("a")), Some(&option));
+        assert_eq!(both.lines(), ["a", "--up-to: must be less"]);
+    }
+
+    #[test]
+    fn errors_of_the_system_lose_their_numbers() {
+        let error = io::Error::from_raw_os_error(2);
+        assert_eq!(Failure::write("a", &error).lines(), ["a: cannot be written: no such file or directory"]);
+    }
+
+    #[test]
+    fn a_reader_that_has_gone_is_told_nothing() {
+        let gone = Failure::write("a", &io::Error::from(io::ErrorKind::BrokenPipe));
+        assert!(gone.lines().is_empty() && matches!(gone, Failure::ClosedPipe), "{gone:?}");
+    }
 }

@@ -3,7 +3,8 @@
 /// Of the program.
 pub(crate) const NOTES: &str = "\
 BLADE is a built-in name (`bladefan blades` lists them), a .toml or .json file, or - for standard
-input. Speeds are in rad/s, or in the unit that follows without a space: 660rpm, 11Hz, 69.1rad/s.
+input; at most 64 MB. Speeds are in rad/s, or in the unit that follows without a space: 660rpm,
+11Hz, 69.1rad/s.
 Exit codes: 0 done, 2 bad usage or bad input, 1 anything else.
 
 Example:
@@ -25,8 +26,8 @@ Examples:
   bladefan fan tm4760 --frequency-unit per-rev --frequencies 0:6 --height 500 --svg fan.svg
 
 Measured points: a CSV file with the columns label, speed, frequency, source, units in the header
-row: `label,speed [rpm],frequency [Hz],source`. CSV output holds the branches; crossings, margins
-and Southwell coefficients are in the table and in the JSON.";
+row: `label,speed [rpm],frequency [Hz],source`; at most 100000 points. CSV output holds the branches;
+crossings, margins and Southwell coefficients are in the table and in the JSON.";
 
 /// Of `shapes`.
 pub(crate) const SHAPES: &str = "\

@@ -1,25 +1,28 @@
 //! Command line of bladefan: reads a blade, asks the core, writes tables, JSON, CSV and drawings.
+#![cfg_attr(
+    test,
+    allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test stops where it fails")
+)]
 
 mod args;
 mod commands;
-mod csv;
-mod drawing;
 mod failure;
 mod help;
-mod input;
-mod json;
-mod output;
-mod progress;
-mod table;
+mod io;
+mod render;
 
 use args::Cli;
 use clap::Parser;
+use io::{messages, output};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
-    match commands::run(&cli.command).and_then(|result| output::write(&result)) {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(said) => return messages::usage(said),
+    };
+    match commands::run(&cli.command).and_then(|made| output::write(&made)) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(),
+        Err(failure) => messages::report(&failure),
     }
 }

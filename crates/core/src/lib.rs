@@ -66,7 +66,6 @@ pub mod lagrange;
 pub mod library;
 pub mod modes;
 pub mod numerics;
-mod order;
 pub mod report;
 pub mod units;
 
@@ -75,8 +74,8 @@ pub use analysis::{
     warnings,
 };
 pub use blade::{
-    Amount, Blade, BladeDefinition, Change, Changed, DistributionDefinition, Property, PropertyDefinition, Root,
-    RootCondition, RootDefinition, RootKind, RotorDefinition, Source, Stretch, What, change, check, convert,
+    Amount, Blade, BladeDefinition, Change, Changed, DistributionDefinition, Part, Property, PropertyDefinition, Root,
+    RootCondition, RootDefinition, RootKind, RotorDefinition, Source, What, change, check, convert,
 };
 pub use dof::Dof;
 pub use fault::{Fault, FaultCode, Faults, Warning};

@@ -20,6 +20,15 @@ pub fn per_rev(frequency: f64, speed: f64) -> Option<f64> {
     (speed > 0.0).then(|| frequency / speed)
 }
 
+/// How far `value` is from `reference`, in percent of that; `None` where that is no number. A value of 0
+/// meets a reference of 0.
+pub fn percent(value: f64, reference: f64) -> Option<f64> {
+    if value == 0.0 && reference == 0.0 {
+        return Some(0.0);
+    }
+    Some(100.0 * (value / reference - 1.0)).filter(|percent| percent.is_finite())
+}
+
 /// Declares a unit enum: variant, name in files, factor to SI.
 macro_rules! units {
     ($(#[$doc:meta])* $name:ident, $si:literal: $($(#[$vdoc:meta])* $variant:ident $text:literal $factor:expr),+ $(,)?) => {
@@ -192,6 +201,17 @@ pub fn parse_speed(text: &str) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn differences_are_in_percent() {
+        assert_eq!(percent(1.25, 1.0), Some(25.0));
+        assert_eq!(percent(0.5, 1.0), Some(-50.0));
+        assert_eq!(percent(0.0, 0.0), Some(0.0));
+        for (value, reference) in [(1.0, 0.0), (f64::NAN, 1.0), (1.0, f64::NAN), (f64::INFINITY, 1.0), (1e300, 1e-300)]
+        {
+            assert_eq!(percent(value, reference), None, "{value} {reference}");
+        }
+    }
 
     #[test]
     fn speeds_are_read_in_their_units() {

@@ -1,23 +1,30 @@
 //! `blades`: the built-in library.
 
-use crate::args::{BladesArgs, Format};
+use crate::args::{BladesArgs, Format, ResultArgs};
 use crate::failure::Failure;
-use crate::input::{self, not_found};
-use crate::output::{self, Output};
-use crate::table::{Align, Cell, Table, WIDTH, wrap};
-use crate::{csv, json};
+use crate::io::input::{self, not_found};
+use crate::io::output::{self, Output};
+use crate::render::table::{Align, Cell, GAP, Table};
+use crate::render::text::{spaces, wrap};
+use crate::render::{csv, json};
 use bladefan_core::formats;
 use bladefan_core::library::{self, ENTRIES};
-use core::fmt::Write as _;
 use serde::Serialize;
+use unicode_width::UnicodeWidthStr;
 
 /// What the list says of one blade.
 #[derive(Debug, Serialize)]
-pub(crate) struct Listed {
-    pub(crate) name: String,
-    pub(crate) title: String,
-    pub(crate) quality: String,
-    pub(crate) citation: String,
+struct Listed {
+    name: String,
+    title: String,
+    quality: String,
+    citation: String,
+}
+
+impl Listed {
+    fn cells(&self) -> [&str; 4] {
+        [&self.name, &self.title, &self.quality, &self.citation].map(String::as_str)
+    }
 }
 
 #[derive(Serialize)]
@@ -28,11 +35,10 @@ struct List {
 
 pub(super) fn run(args: &BladesArgs) -> Result<Output, Failure> {
     output::check(&[], &args.result, None)?;
-    let text = match &args.name {
-        Some(name) => one(name, args.result.format)?,
-        None => list(args.result.format)?,
-    };
-    Ok(Output::new(text, &args.result))
+    match &args.name {
+        Some(name) => Ok(Output::new(one(name, args.result.format)?, &args.result).uncoloured()),
+        None => Ok(Output::new(list(&args.result)?, &args.result)),
+    }
 }
 
 /// The file of one blade: TOML as it stands, with its remarks, or JSON.
@@ -45,13 +51,13 @@ fn one(name: &str, format: Format) -> Result<String, Failure> {
     }
 }
 
-fn list(format: Format) -> Result<String, Failure> {
+fn list(args: &ResultArgs) -> Result<String, Failure> {
     let blades: Result<Vec<Listed>, Failure> = ENTRIES.iter().map(|entry| listed(entry.name)).collect();
     let blades = blades?;
-    match format {
-        Format::Table => Ok(table(&blades)),
+    match args.format {
+        Format::Table => Ok(table(&blades, output::width(args))),
         Format::Json => json::line(&List { schema: "bladefan-blades/1", blades }),
-        Format::Csv => csv::blades(&blades),
+        Format::Csv => csv::blades(blades.iter().map(Listed::cells)),
     }
 }
 
@@ -67,19 +73,25 @@ fn listed(name: &str) -> Result<Listed, Failure> {
 }
 
 /// Names in a column, the rest in lines beside them.
-fn table(blades: &[Listed]) -> String {
-    let mut table = Table::new([("name", Align::Left), ("quality", Align::Left), ("title, source", Align::Left)]);
+fn table(blades: &[Listed], width: usize) -> String {
+    let mut names = Table::new([("name", Align::Left), ("quality", Align::Left)]);
     for blade in blades {
-        table.row([&blade.name, &blade.quality, &blade.title].map(Cell::text));
+        names.row([&blade.name, &blade.quality].map(Cell::text));
     }
-    let rendered = table.render();
-    let mut lines = rendered.lines();
-    let head = lines.next().unwrap_or_default();
-    let indent = head.find("title").unwrap_or(0);
-    let mut text = format!("{head}\n");
-    for (line, blade) in lines.zip(blades) {
-        let citation = wrap(&blade.citation, indent, WIDTH);
-        let _ = writeln!(text, "{line}\n{}{citation}", " ".repeat(indent));
+    let names = names.render(width);
+    let indent = names.lines().map(UnicodeWidthStr::width).max().unwrap_or(0) + GAP.len();
+    let head = ["title, source", ""];
+    let beside = core::iter::once(head).chain(blades.iter().map(|blade| [blade.title.as_str(), &blade.citation]));
+    let mut text = String::new();
+    for (name, lines) in names.lines().zip(beside) {
+        text += name;
+        let mut at = name.width();
+        for line in lines.into_iter().filter(|line| !line.is_empty()) {
+            text += &spaces(indent - at);
+            text += &wrap(line, indent, width);
+            text.push('\n');
+            at = 0;
+        }
     }
     text
 }

@@ -1,11 +1,15 @@
 //! `check`: faults of a blade, or what it amounts to.
 
-use super::speed;
 use crate::args::{CheckArgs, Format};
-use crate::failure::{Failure, warn};
-use crate::output::{self, Output};
-use crate::table::{Align, Cell, Table, WIDTH, short, wrap};
-use crate::{csv, input, json};
+use crate::failure::Failure;
+use crate::io::input;
+use crate::io::messages::warn;
+use crate::io::output::{self, Output};
+use crate::render::heading::speed;
+use crate::render::numbers::short;
+use crate::render::table::{Align, Cell, Table};
+use crate::render::text::wrap;
+use crate::render::{csv, json};
 use bladefan_core::analysis;
 use bladefan_core::report::BladeSummary;
 
@@ -15,27 +19,28 @@ pub(super) fn run(args: &CheckArgs) -> Result<Output, Failure> {
     let summary = analysis::summary(&input.file.blade);
     warn(&summary.warnings);
     let text = match args.result.format {
-        Format::Table => table(&summary),
+        Format::Table => table(&summary, output::width(&args.result)),
         Format::Json => json::line(&summary)?,
         Format::Csv => csv::summary(&summary)?,
     };
     Ok(Output::new(text, &args.result))
 }
 
-fn table(summary: &BladeSummary) -> String {
+fn table(summary: &BladeSummary, width: usize) -> String {
     let warnings = match summary.warnings.len() {
         0 => "no warnings".into(),
         1 => "1 warning".into(),
         count => format!("{count} warnings"),
     };
     let blades = summary.blades.map(|count| format!("{count} blades, ")).unwrap_or_default();
-    let mut text = format!(
-        "{}: no faults, {warnings}\nradius {} m, nominal speed {}, {blades}{} stations\n\n",
-        wrap(&summary.blade, 0, WIDTH - 30),
+    let first = format!("{}: no faults, {warnings}", summary.blade);
+    let second = format!(
+        "radius {} m, nominal speed {}, {blades}{} stations",
         short(summary.radius_m, 5),
         speed(summary.nominal_speed_rad_s),
         summary.stations
     );
+    let mut text = format!("{}\n{}\n\n", wrap(&first, 0, width), wrap(&second, 0, width));
     let mut table = Table::new([
         ("", Align::Left),
         ("root", Align::Left),
@@ -56,6 +61,6 @@ fn table(summary: &BladeSummary) -> String {
             Cell::number(dof.inertia_kg_m2, 5),
         ]);
     }
-    text.push_str(&table.render());
+    text.push_str(&table.render(width));
     text
 }

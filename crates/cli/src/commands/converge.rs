@@ -1,21 +1,22 @@
 //! `converge`: frequency against the number of assumed functions.
 
-use super::accuracy::{Bounded, advice, bounds_cell, difference_cell, error_cell, percent};
-use super::{heading, speed};
 use crate::args::{ConvergeArgs, Format};
-use crate::failure::{Failure, warn};
-use crate::output::{self, Output};
-use crate::table::{Align, Cell, Table};
-use crate::{csv, drawing, input, json, progress};
-use bladefan_core::analysis;
+use crate::failure::Failure;
+use crate::io::input;
+use crate::io::messages::warn;
+use crate::io::output::{self, Output};
+use crate::render::accuracy::{Bounded, advice, bounds_cell, difference_cell, error_cell, percent};
+use crate::render::heading::{heading, speed};
+use crate::render::table::{Align, Cell, Table};
+use crate::render::text::wrap;
+use crate::render::{csv, json, picture};
+use bladefan_core::analysis::{self, Settings};
 use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::dof::Dof;
 use bladefan_core::functions::BasisFamily;
 use bladefan_core::report::{ConvergeReport, ConvergeSeries};
 use core::fmt::Write as _;
 
-/// What the paper calls converged.
-const PAPER: usize = 15;
 /// Numbers of classical functions whose errors are shown, beside the largest.
 const SHOWN: [usize; 9] = [1, 2, 3, 5, 7, 10, 15, 30, 100];
 
@@ -23,35 +24,40 @@ pub(super) fn run(args: &ConvergeArgs) -> Result<Output, Failure> {
     let settings = args.settings()?;
     let input = input::load(&args.blade.blade)?;
     output::check(&[input.path.as_ref()], &args.result, Some(&args.drawing))?;
-    let report = progress::with("solving", || analysis::converge(&input.file.blade, &settings));
-    let report = report.map_err(|faults| Failure::faults(&input.name, &faults))?;
+    let report = input.ask("solving", |blade| analysis::converge(blade, &settings))?;
+    warn(&args.idle());
     warn(&report.warnings);
     let text = match args.result.format {
-        Format::Table => table(&report),
+        Format::Table => table(&report, output::width(&args.result)),
         Format::Json => json::line(&report)?,
         Format::Csv => csv::converge(&report)?,
     };
     let draw = || {
         let frequency_unit = args.frequency.frequency_unit;
-        chart::converge(&report, &ChartOptions { frequency_unit, ..drawing::options(&args.drawing) })
+        chart::converge(&report, &ChartOptions { frequency_unit, ..picture::options(&args.drawing) })
     };
-    Output::new(text, &args.result).draw(&args.drawing, draw)
+    let drawings = picture::files(&args.drawing, draw)?;
+    Ok(Output::new(text, &args.result).with(drawings))
 }
 
 /// The converged frequencies, then the errors of both families.
-fn table(report: &ConvergeReport) -> String {
+fn table(report: &ConvergeReport, width: usize) -> String {
+    // What the paper calls converged.
+    let paper = Settings::default().functions;
     let most = report.functions.last().copied().unwrap_or(1);
     let functions = format!("classical functions, N = 1 to {most}; piecewise functions until converged");
-    let mut text = heading(&report.blade, &format!("convergence at {}", speed(report.speed_rad_s)), &functions);
-    text += &frequencies(report, PAPER.min(most)).render();
-    text += &advice(BasisFamily::Piecewise, report.series.iter().map(bounded));
-    text += "\nError [%] of N classical functions against the converged frequency\n";
-    text += &classical(report, most).render();
+    let mut text = heading(&report.blade, &format!("convergence at {}", speed(report.speed_rad_s)), &functions, width);
+    text += &frequencies(report, paper.min(most)).render(width);
+    text += &advice(BasisFamily::Piecewise, report.series.iter().map(bounded), width);
+    let mut section = |title: &str, table: &Table| {
+        // Writing to a string does not fail.
+        let _ = write!(text, "\n{}\n{}", wrap(title, 0, width), table.render(width));
+    };
+    section("Error [%] of N classical functions against the converged frequency", &classical(report, most));
     for dof in Dof::ALL {
         let series: Vec<_> = report.series.iter().filter(|series| series.dof == dof).collect();
         if !series.is_empty() {
-            // Writing to a string does not fail.
-            let _ = write!(text, "\nError [%] of N piecewise functions, {dof}\n{}", piecewise(&series).render());
+            section(&format!("Error [%] of N piecewise functions, {dof}"), &piecewise(&series));
         }
     }
     text

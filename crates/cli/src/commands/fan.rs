@@ -1,23 +1,28 @@
 //! `fan`: the fan chart.
 
-use super::measured;
-use super::{MARGIN_COLUMNS, MODE_COLUMNS, basis, heading, margin_cells, pick, speed};
 use crate::args::{FanArgs, Format};
-use crate::failure::{Failure, warn};
-use crate::output::{self, Output};
-use crate::table::{Align, Cell, Table, short, significant};
-use crate::{csv, drawing, input, json, progress};
+use crate::failure::Failure;
+use crate::io::messages::warn;
+use crate::io::output::{self, Output};
+use crate::io::{input, measured};
+use crate::render::columns::{MARGIN_COLUMNS, MODE_COLUMNS, margin_cells, pick};
+use crate::render::heading::{basis, heading, speed};
+use crate::render::numbers::{short, significant};
+use crate::render::table::{Align, Cell, Table};
+use crate::render::text::wrap;
+use crate::render::{csv, json, picture};
 use bladefan_core::analysis::{self, Settings};
 use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::dof::Dof;
 use bladefan_core::label::Label;
-use bladefan_core::report::{ComparedPoint, FanChart};
+use bladefan_core::report::{Coincidence, ComparedPoint, FanChart};
 use bladefan_core::units::{hz, rpm};
 use core::fmt::Write as _;
 use serde::Serialize;
 
 /// Most rotor speeds of the table.
 const SPEEDS: usize = 7;
+
 /// The chart with the measured points beside it.
 #[derive(Serialize)]
 struct Report<'a> {
@@ -32,16 +37,14 @@ pub(super) fn run(args: &FanArgs) -> Result<Output, Failure> {
     let input = input::load(&args.blade.blade)?;
     output::check(&[input.path.as_ref(), args.measured.as_ref()], &args.result, Some(&args.drawing))?;
     let points = args.measured.as_deref().map(measured::read).transpose()?;
-    let blade = &input.file.blade;
-    let chart = progress::with("solving", || analysis::fan(blade, &settings));
-    let chart = chart.map_err(|faults| Failure::faults(&input.name, &faults))?;
+    let chart = input.ask("solving", |blade| analysis::fan(blade, &settings))?;
+    warn(&args.idle(&settings));
     warn(&chart.warnings);
-    let compared = match &points {
-        Some(points) => Some(progress::with("comparing", || measured::compare(points, &input, &settings))?),
-        None => None,
-    };
+    let compare = |points: &Vec<_>| input.ask("comparing", |blade| analysis::compare(blade, points, &settings));
+    // CSV holds the branches alone.
+    let compared = points.as_ref().filter(|_| args.result.format != Format::Csv).map(compare).transpose()?;
     let text = match args.result.format {
-        Format::Table => table(&chart, &settings, compared.as_deref()),
+        Format::Table => table(&chart, &settings, compared.as_deref(), output::width(&args.result)),
         Format::Json => json::line(&Report { chart: &chart, measured: compared.as_deref() })?,
         Format::Csv => csv::fan(&chart)?,
     };
@@ -52,21 +55,22 @@ pub(super) fn run(args: &FanArgs) -> Result<Output, Failure> {
             frequencies,
             band: settings.band,
             measured: points,
-            ..drawing::options(&args.drawing)
+            ..picture::options(&args.drawing)
         };
         chart::fan(&chart, &options)
     };
-    Output::new(text, &args.result).draw(&args.drawing, draw)
+    let drawings = picture::files(&args.drawing, draw)?;
+    Ok(Output::new(text, &args.result).with(drawings))
 }
 
-fn table(chart: &FanChart, settings: &Settings, compared: Option<&[ComparedPoint]>) -> String {
+fn table(chart: &FanChart, settings: &Settings, compared: Option<&[ComparedPoint]>, width: usize) -> String {
     let from = chart.speeds_rad_s.first().copied().unwrap_or_default();
     let to = chart.speeds_rad_s.last().copied().unwrap_or_default();
     let title = format!("{} speeds from {} to {}", chart.speeds_rad_s.len(), short(from, 4), speed(to));
-    let mut text = heading(&chart.blade, &title, &basis(&chart.basis));
+    let mut text = heading(&chart.blade, &title, &basis(&chart.basis), width);
     let mut section = |title: &str, table: &Table| {
         if !table.is_empty() {
-            let _ = writeln!(text, "{title}\n{}", table.render());
+            let _ = writeln!(text, "{}\n{}", wrap(title, 0, width), table.render(width));
         }
     };
     section("Frequency [rad/s] at rotor speeds", &branches(chart));
@@ -124,25 +128,20 @@ fn margins(chart: &FanChart) -> Table {
     table
 }
 
-fn in_band(chart: &FanChart, settings: &Settings, speed: f64) -> bool {
-    let ratio = speed / chart.nominal.speed_rad_s;
-    settings.band.0 <= ratio && ratio <= settings.band.1
-}
-
 /// All crossings: a row for each branch that has any, a column for each ray.
 fn all(chart: &FanChart, settings: &Settings) -> Table {
     let rays = (1..=chart.harmonics).map(|harmonic| (format!("{harmonic}P"), Align::Point));
     let mut table = Table::new(core::iter::once((String::from("mode"), Align::Left)).chain(rays));
     for branch in &chart.branches {
         let cell = |harmonic: u32| {
-            let on_ray = |on: &bladefan_core::report::Coincidence| on.label == branch.label && on.harmonic == harmonic;
+            let on_ray = |on: &Coincidence| on.label == branch.label && on.harmonic == harmonic;
             if chart.coincident.iter().any(on_ray) {
                 return "all".into();
             }
             let here = chart.crossings.iter().filter(|at| at.label == branch.label && at.harmonic == harmonic);
             let speeds: Vec<String> = here
                 .map(|at| {
-                    let mark = if in_band(chart, settings, at.speed_rad_s) { "*" } else { "" };
+                    let mark = if chart.in_band(at.speed_rad_s, settings.band) { "*" } else { "" };
                     format!("{}{mark}", significant(rpm(at.speed_rad_s), 4))
                 })
                 .collect();
@@ -168,7 +167,7 @@ fn near(chart: &FanChart, settings: &Settings) -> Table {
         ("frequency\n[rad/s]", Align::Point),
         ("\n[Hz]", Align::Point),
     ]);
-    for at in chart.crossings.iter().filter(|at| in_band(chart, settings, at.speed_rad_s)) {
+    for at in chart.crossings_in(settings.band) {
         table.row([
             Cell::label(&at.label, dof(chart, at.label)),
             Cell::text(format!("{}P", at.harmonic)),

@@ -1,12 +1,15 @@
 //! `modes`: frequencies at one rotor speed.
 
-use super::accuracy::{Bounded, advice, bounds_cell, difference, difference_cell, percent};
-use super::{MARGIN_COLUMNS, MODE_COLUMNS, basis, heading, margin_cells, own, speed};
 use crate::args::{Format, ModesArgs};
-use crate::failure::{Failure, warn};
-use crate::output::{self, Output};
-use crate::table::{Align, Cell, Table};
-use crate::{csv, input, json, progress};
+use crate::failure::Failure;
+use crate::io::input;
+use crate::io::messages::warn;
+use crate::io::output::{self, Output};
+use crate::render::accuracy::{Bounded, advice, bounds_cell, difference, difference_cell, percent};
+use crate::render::columns::{MARGIN_COLUMNS, MODE_COLUMNS, margin_cells, own};
+use crate::render::heading::{basis, heading, speed};
+use crate::render::table::{Align, Cell, Table};
+use crate::render::{csv, json};
 use bladefan_core::analysis;
 use bladefan_core::functions::BasisFamily;
 use bladefan_core::report::{ModeReport, ModesReport};
@@ -15,18 +18,17 @@ pub(super) fn run(args: &ModesArgs) -> Result<Output, Failure> {
     let settings = args.settings()?;
     let input = input::load(&args.blade.blade)?;
     output::check(&[input.path.as_ref()], &args.result, None)?;
-    let report = progress::with("solving", || analysis::modes(&input.file.blade, &settings));
-    let report = report.map_err(|faults| Failure::faults(&input.name, &faults))?;
+    let report = input.ask("solving", |blade| analysis::modes(blade, &settings))?;
     warn(&report.warnings);
     let text = match args.result.format {
-        Format::Table => table(&report, settings.functions),
+        Format::Table => table(&report, settings.functions, output::width(&args.result)),
         Format::Json => json::line(&report)?,
         Format::Csv => csv::modes(&report)?,
     };
     Ok(Output::new(text, &args.result))
 }
 
-fn table(report: &ModesReport, functions: usize) -> String {
+fn table(report: &ModesReport, functions: usize, width: usize) -> String {
     let family = report.basis.family;
     // Either way it is the paper's functions against the converged frequency. Bounds far apart leave
     // no room for a unit in every row.
@@ -55,6 +57,6 @@ fn table(report: &ModesReport, functions: usize) -> String {
             distance,
         ]);
     }
-    let heading = heading(&report.blade, &speed(report.speed_rad_s), &basis(&report.basis));
-    heading + &table.render() + &advice(family, report.modes.iter().map(bounded))
+    let heading = heading(&report.blade, &speed(report.speed_rad_s), &basis(&report.basis), width);
+    heading + &table.render(width) + &advice(family, report.modes.iter().map(bounded), width)
 }

@@ -1,11 +1,15 @@
 //! `shapes`: mode shapes along the span.
 
-use super::{basis, heading, pick, speed};
 use crate::args::{Format, ShapesArgs};
-use crate::failure::{Failure, warn};
-use crate::output::{self, Output};
-use crate::table::{Align, Cell, Table, decimals, significant};
-use crate::{csv, drawing, input, json, progress};
+use crate::failure::Failure;
+use crate::io::input;
+use crate::io::messages::warn;
+use crate::io::output::{self, Output};
+use crate::render::columns::pick;
+use crate::render::heading::{basis, heading, speed};
+use crate::render::numbers::{decimals, significant};
+use crate::render::table::{Align, Cell, Table};
+use crate::render::{csv, json, picture};
 use bladefan_core::analysis::{self, Settings, ShapeScale};
 use bladefan_core::chart;
 use bladefan_core::dof::Dof;
@@ -18,22 +22,22 @@ pub(super) fn run(args: &ShapesArgs) -> Result<Output, Failure> {
     let settings = args.settings()?;
     let input = input::load(&args.blade.blade)?;
     output::check(&[input.path.as_ref()], &args.result, Some(&args.drawing))?;
-    let report = progress::with("solving", || analysis::shapes(&input.file.blade, &settings));
-    let report = report.map_err(|faults| Failure::faults(&input.name, &faults))?;
+    let report = input.ask("solving", |blade| analysis::shapes(blade, &settings))?;
+    warn(&args.idle(&settings));
     warn(&report.warnings);
     let text = match args.result.format {
-        Format::Table => table(&report, &settings),
+        Format::Table => table(&report, &settings, output::width(&args.result)),
         Format::Json => json::line(&report)?,
         Format::Csv => csv::shapes(&report)?,
     };
-    let draw = || chart::shapes(&report, &drawing::options(&args.drawing));
-    Output::new(text, &args.result).draw(&args.drawing, draw)
+    let drawings = picture::files(&args.drawing, || chart::shapes(&report, &picture::options(&args.drawing)))?;
+    Ok(Output::new(text, &args.result).with(drawings))
 }
 
 /// One table per degree of freedom: a row for each of some radii, a column for each mode.
-fn table(report: &ShapesReport, settings: &Settings) -> String {
+fn table(report: &ShapesReport, settings: &Settings, width: usize) -> String {
     let title = format!("mode shapes at {}", speed(report.speed_rad_s));
-    let mut text = heading(&report.blade, &title, &basis(&report.basis));
+    let mut text = heading(&report.blade, &title, &basis(&report.basis), width);
     text.push_str(match settings.normalise {
         ShapeScale::Max => "Displacement, 1 where it is largest\n\n",
         ShapeScale::Mass => "Displacement, scaled by mass (the paper's Eq. 86-87)\n\n",
@@ -60,7 +64,7 @@ fn table(report: &ShapesReport, settings: &Settings) -> String {
             let radius = report.r_m.get(row).map(|radius| Cell::fixed(*radius, decimals(report.radius_m, 5)));
             table.row(radius.into_iter().chain(values));
         }
-        tables.push(format!("{dof}\n{}", table.render()));
+        tables.push(format!("{dof}\n{}", table.render(width)));
     }
     text.push_str(&tables.join("\n"));
     text

@@ -69,3 +69,24 @@ fn text_that_is_not_utf_8_is_a_fault_with_its_place() {
     let message = run_in(folder.path(), &["check", "mine.toml"]).refused();
     assert!(message.starts_with("mine.toml:1:1: "), "{message}");
 }
+
+#[test]
+fn an_input_that_is_too_long_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::File::create(folder.path().join("large.toml")).unwrap().set_len(64_000_001).unwrap();
+    let message = run_in(folder.path(), &["check", "large.toml"]).refused();
+    assert_eq!(message, "large.toml: must be at most 64 MB long (is 64000001 bytes)\n");
+    let message = run_in(folder.path(), &["fan", "uniform", "--measured", "large.toml"]).refused();
+    assert_eq!(message, "large.toml: must be at most 64 MB long (is 64000001 bytes)\n");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_endless_input_is_refused() {
+    let endless = fs::File::open("/dev/zero").unwrap();
+    let program = assert_cmd::cargo::cargo_bin!("bladefan");
+    let output = std::process::Command::new(program).args(["check", "-"]).stdin(endless).output().unwrap();
+    assert_eq!((output.status.code(), output.stdout.as_slice()), (Some(2), b"".as_slice()));
+    assert_eq!(output.stderr, b"<stdin>: must be at most 64 MB long (is longer)\n");
+    assert_eq!(run(&["check", "/dev/zero"]).refused(), "/dev/zero: must be at most 64 MB long (is longer)\n");
+}

@@ -4,6 +4,8 @@
 mod faults;
 mod help;
 mod inputs;
+mod layout;
+mod names;
 mod options;
 mod outputs;
 mod results;

@@ -61,3 +61,25 @@ fn degrees_of_freedom_keep_their_order() {
     let labels: Vec<&str> = text.lines().skip(1).filter_map(|line| line.split(',').nth(2)).collect();
     assert_eq!(labels, ["1F", "1T"]);
 }
+
+#[test]
+fn options_that_do_nothing_are_told() {
+    let cases: [(&[&str], &str); 4] = [
+        (&["fan", "uniform", "--functions", "20"], "warning: --functions: acts with --basis classical only\n"),
+        (&["shapes", "uniform", "--functions", "20"], "warning: --functions: acts with --basis classical only\n"),
+        (
+            &["fan", "uniform", "--harmonics", "3", "--format", "csv"],
+            "warning: --harmonics: is in the table, JSON and drawings, not in CSV\n",
+        ),
+        (&["converge", "uniform", "--basis", "classical"], "warning: --basis: a convergence study has both families\n"),
+    ];
+    for (arguments, expected) in cases {
+        let text = run(arguments);
+        assert_eq!((text.code, text.stderr.as_str()), (Some(0), expected), "{arguments:?}");
+    }
+    assert!(
+        run(&["converge", "uniform", "--basis", "x"]).refused().starts_with("--basis: must be "),
+        "read all the same"
+    );
+    assert_eq!(run(&["modes", "uniform", "--functions", "20"]).stderr, "", "the paper's values are beside the others");
+}

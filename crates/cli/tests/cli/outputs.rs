@@ -5,6 +5,13 @@ use std::fs;
 use std::io::Read;
 use std::process::{Command, Stdio};
 
+/// The program, to be run in the background or with streams of its own.
+fn raw(arguments: &[&str]) -> Command {
+    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("bladefan"));
+    command.args(arguments);
+    command
+}
+
 #[test]
 fn results_and_drawings_go_to_files() {
     let folder = tempfile::tempdir().unwrap();
@@ -135,17 +142,120 @@ fn devices_are_written_to() {
     run(&["modes", "uniform", "--output", "/dev/null"]).good();
     let message = run(&["modes", "uniform", "--output", "/dev/full"]).failed();
     assert_eq!(message, "/dev/full: cannot be written: no space left on device\n");
-    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("bladefan"));
-    let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
-    let output = command.args(["modes", "uniform"]).stdout(full).output().unwrap();
-    assert_eq!(output.status.code(), Some(1));
-    assert_eq!(output.stderr, b"standard output: cannot be written: no space left on device\n");
+    for arguments in [["modes", "uniform"].as_slice(), &["--help"], &["--version"]] {
+        let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let output = raw(arguments).stdout(full).output().unwrap();
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+        assert_eq!(output.stderr, b"standard output: cannot be written: no space left on device\n", "{arguments:?}");
+    }
+}
+
+/// A log that others write to as well keeps what they wrote.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_stream_is_written_to_by_any_of_its_names() {
+    let folder = tempfile::tempdir().unwrap();
+    let log = folder.path().join("log");
+    let expected = run(&["check", "uniform"]).good();
+    std::os::unix::fs::symlink("/dev/stdout", folder.path().join("link")).unwrap();
+    for name in ["/dev/stdout", "/proc/self/fd/1", "link"] {
+        fs::write(&log, "before\n").unwrap();
+        let append = fs::OpenOptions::new().append(true).open(&log).unwrap();
+        let mut command = raw(&["check", "uniform", "--output", name]);
+        assert!(command.current_dir(folder.path()).stdout(append).status().unwrap().success(), "{name}");
+        assert_eq!(fs::read_to_string(&log).unwrap(), format!("before\n{expected}"), "{name}");
+    }
+    // `(echo before; bladefan …; echo after) > log`: what comes after does not overwrite.
+    let mut shared = fs::File::create(&log).unwrap();
+    std::io::Write::write_all(&mut shared, b"before\n").unwrap();
+    let mut command = raw(&["check", "uniform", "--output", "/dev/stdout"]);
+    assert!(command.stdout(shared.try_clone().unwrap()).status().unwrap().success(), "written");
+    std::io::Write::write_all(&mut shared, b"after\n").unwrap();
+    assert_eq!(fs::read_to_string(&log).unwrap(), format!("before\n{expected}after\n"));
+    // Standard error likewise, by a drawing.
+    fs::write(&log, "before\n").unwrap();
+    let append = fs::OpenOptions::new().append(true).open(&log).unwrap();
+    let mut command = raw(&["fan", "uniform", "--svg", "/dev/stderr"]);
+    assert!(command.stderr(append).stdout(Stdio::null()).status().unwrap().success(), "drawn");
+    assert!(fs::read_to_string(&log).unwrap().starts_with("before\n<svg"), "the log was replaced");
+}
+
+/// A stream that is open under another number is appended to.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_stream_of_another_number_is_not_replaced() {
+    let folder = tempfile::tempdir().unwrap();
+    let log = folder.path().join("log");
+    fs::write(&log, "before\n").unwrap();
+    let program = assert_cmd::cargo::cargo_bin!("bladefan").display();
+    let line = format!("{program} check uniform --output /dev/fd/5 5>> {}", log.display());
+    assert!(Command::new("sh").args(["-c", &line]).status().unwrap().success(), "{line}");
+    assert!(fs::read_to_string(&log).unwrap().starts_with("before\nuniform cantilever: "), "the log was replaced");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_to_nothing_yet_is_written_through() {
+    use std::os::unix::fs::symlink;
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("results")).unwrap();
+    symlink("results/today.csv", folder.path().join("latest.csv")).unwrap();
+    run_in(folder.path(), &["modes", "uniform", "--format", "csv", "--output", "latest.csv"]).good();
+    assert!(fs::symlink_metadata(folder.path().join("latest.csv")).unwrap().is_symlink(), "the link was replaced");
+    let text = fs::read_to_string(folder.path().join("results/today.csv")).unwrap();
+    assert!(text.starts_with("blade,"), "{text}");
+
+    symlink("nowhere/today.csv", folder.path().join("lost.csv")).unwrap();
+    let message = run_in(folder.path(), &["modes", "uniform", "--output", "lost.csv"]).failed();
+    assert_eq!(message, "lost.csv: cannot be written: no such file or directory\n");
+    symlink("ring", folder.path().join("ring")).unwrap();
+    let message = run_in(folder.path(), &["modes", "uniform", "--output", "ring"]).failed();
+    assert!(message.starts_with("ring: cannot be written: "), "{message}");
+    // Two names of one file that is not there yet.
+    let arguments = ["fan", "uniform", "--output", "latest.csv", "--svg", "results/today.csv"];
+    assert!(run_in(folder.path(), &arguments).refused().starts_with("--svg: must be "), "{arguments:?}");
+}
+
+/// While the reader of a pipe takes its time, no half-made file waits to be left behind.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_nothing_behind() {
+    use nix::sys::signal::{Signal, kill};
+    use nix::unistd::{Pid, mkfifo};
+    let folder = tempfile::tempdir().unwrap();
+    let pipe = folder.path().join("pipe");
+    mkfifo(&pipe, nix::sys::stat::Mode::S_IRWXU).unwrap();
+    for signal in [Signal::SIGINT, Signal::SIGTERM] {
+        // The drawing has twice as much as a pipe holds (64 kB).
+        let mut command = raw(&["converge", "uniform", "--modes", "10", "--output", "a.txt", "--svg", "pipe"]);
+        let mut child = command.current_dir(folder.path()).spawn().unwrap();
+        let mut reader = fs::File::open(&pipe).unwrap();
+        let mut start = [0; 4];
+        reader.read_exact(&mut start).unwrap();
+        assert_eq!((&start, child.try_wait().unwrap()), (b"<svg", None), "it waits for its reader");
+        kill(Pid::from_raw(child.id().try_into().unwrap()), signal).unwrap();
+        let status = child.wait().unwrap();
+        assert_eq!(std::os::unix::process::ExitStatusExt::signal(&status), Some(signal as i32), "ended by the signal");
+        let mut names: Vec<_> = fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        names.sort();
+        assert_eq!(names, ["a.txt", "pipe"], "something is left");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_written_to() {
+    let folder = tempfile::tempdir().unwrap();
+    let pipe = folder.path().join("pipe");
+    nix::unistd::mkfifo(&pipe, nix::sys::stat::Mode::S_IRWXU).unwrap();
+    let mut child = raw(&["check", "uniform", "--output", pipe.to_str().unwrap()]).spawn().unwrap();
+    let text = fs::read_to_string(&pipe).unwrap();
+    assert!(child.wait().unwrap().success() && text == run(&["check", "uniform"]).good(), "{text}");
 }
 
 #[test]
 fn a_reader_may_leave() {
-    let mut child = Command::new(assert_cmd::cargo::cargo_bin!("bladefan"))
-        .args(["fan", "uniform", "--speeds", "0:10:20000", "--format", "csv"])
+    let mut child = raw(&["fan", "uniform", "--speeds", "0:10:20000", "--format", "csv"])
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()

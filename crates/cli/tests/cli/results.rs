@@ -187,4 +187,9 @@ fn measured_points_are_compared_at_their_own_speed() {
     let message = run_in(folder.path(), &["fan", "uniform", "--measured", "bad.csv"]).refused();
     assert!(message.starts_with("bad.csv:"), "{message}");
     assert_eq!(run(&["fan", "uniform", "--measured", "none.csv"]).refused(), "none.csv: no such file\n");
+
+    let many = format!("# many\nlabel,speed,frequency,source\n{}", "1F,1,2,me\n".repeat(100_001));
+    fs::write(folder.path().join("many.csv"), many).unwrap();
+    let message = run_in(folder.path(), &["fan", "uniform", "--measured", "many.csv"]).refused();
+    assert_eq!(message, "many.csv:100003:1: points: must be at most 100000 (are 100001)\n");
 }

@@ -3,7 +3,7 @@
 use crate::{MODES, best, chart_settings, chart_time, modes_time};
 use bladefan_core::analysis::{Settings, fan, modes};
 use bladefan_core::blade::Blade;
-use bladefan_core::converged::Converged;
+use bladefan_core::converged::{Converged, Wanted, Work};
 use bladefan_core::dof::Dof;
 use bladefan_core::formats::{Format, read};
 use bladefan_core::functions::BasisFamily;
@@ -47,7 +47,9 @@ pub(crate) fn ratios(blade: &Blade) {
         for dof in Dof::ALL {
             for speed in &speeds {
                 let square = speed * speed;
-                drop(black_box(Converged::new(blade, dof, (square, square), MODES, &rules).unwrap()));
+                drop(black_box(
+                    Converged::new(blade, dof, &Wanted::at(square, MODES), &rules, &mut Work::default()).unwrap(),
+                ));
             }
         }
     });

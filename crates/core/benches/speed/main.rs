@@ -39,7 +39,7 @@ fn built_in(name: &str) -> Blade {
 fn matrices_of(blade: &Blade, dof: Dof, functions: usize) -> SystemMatrices {
     let rules = GaussRules::new();
     let functions = classical_functions(blade, dof, functions);
-    let grid = Grid::for_functions(blade, dof, functions.as_ref(), &rules, 0);
+    let grid = Grid::for_functions(blade, dof, functions.as_ref(), &rules, 0, &[]);
     let fields = Fields::sample(&grid, functions.as_ref());
     assemble(&grid, Energies::new(&grid, &fields), functions.has_rigid_motion())
 }

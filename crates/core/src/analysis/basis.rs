@@ -2,12 +2,15 @@
 
 use super::settings::Settings;
 use crate::blade::Blade;
-use crate::converged::Converged;
+use crate::converged::{Converged, Wanted, Work};
 use crate::dof::Dof;
 use crate::fault::Faults;
 use crate::functions::{AssumedFunctions, BasisFamily};
-use crate::lagrange::{Bounds, Energies, Fields, FromTip, Grid, SystemMatrices, assemble, bounds, classical_functions};
+use crate::lagrange::{
+    Bounds, Energies, Fields, FromTip, Grid, Reference, SystemMatrices, assemble, bounds, classical_functions, system,
+};
 use crate::modes::{self, Mode, SolveError};
+use crate::numerics::eigen::EigenError;
 use crate::numerics::quadrature::GaussRules;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -19,6 +22,8 @@ const POINTS_FOR_BOUNDS: usize = 8;
 /// The quadrature of piecewise gaps is exact but for the taper of the stiffness, which is at most
 /// 2.5 over an element and changes the sum by less than this.
 const TAPER_SLACK: f64 = 1.5;
+/// A separation keeps so many times the error of the eigenvalue above it.
+const ERROR_MARGIN: f64 = 10.0;
 
 /// The paper's functions of one degree of freedom.
 pub(super) struct Classical {
@@ -32,7 +37,7 @@ impl Classical {
     pub(super) fn new(blade: &Blade, dof: Dof, count: usize, rules: &GaussRules, for_bounds: bool) -> Self {
         let functions = classical_functions(blade, dof, count);
         let more = if for_bounds { POINTS_FOR_BOUNDS } else { 0 };
-        let grid = Grid::for_functions(blade, dof, functions.as_ref(), rules, more);
+        let grid = Grid::for_functions(blade, dof, functions.as_ref(), rules, more, &[]);
         let fields = Fields::sample(&grid, functions.as_ref());
         let matrices = assemble(&grid, Energies::new(&grid, &fields), functions.has_rigid_motion());
         Self { functions, grid, fields, matrices }
@@ -46,20 +51,20 @@ pub(super) enum Basis {
 }
 
 impl Basis {
-    /// Good for `count` modes over a range of Ω².
+    /// Good for what is wanted.
     pub(super) fn new(
         blade: &Blade,
         dof: Dof,
         settings: &Settings,
-        range: (f64, f64),
-        count: usize,
+        wanted: &Wanted,
         rules: &GaussRules,
+        work: &mut Work,
     ) -> Result<Self, Faults> {
         Ok(match settings.basis {
             BasisFamily::Classical => {
                 Self::Classical(Box::new(Classical::new(blade, dof, settings.functions, rules, false)))
             }
-            BasisFamily::Piecewise => Self::Piecewise(Box::new(converged(blade, dof, range, count, rules)?)),
+            BasisFamily::Piecewise => Self::Piecewise(Box::new(converged(blade, dof, wanted, rules, work)?)),
         })
     }
 
@@ -110,25 +115,45 @@ impl Basis {
         }
     }
 
-    /// Two-sided bounds of modes; `reference` holds the converged modes and one more.
-    pub(super) fn bounds(&self, modes: &[Mode], reference: &[Mode], speed_squared: f64, rules: &GaussRules) -> Bounds {
-        let eigenvalues = |modes: &[Mode]| -> Vec<f64> { modes.iter().map(|mode| mode.eigenvalue).collect() };
+    /// Two-sided bounds of modes; none where nothing separates them from those above.
+    pub(super) fn bounds(
+        &self,
+        modes: &[Mode],
+        reference: &Reference,
+        speed_squared: f64,
+        rules: &GaussRules,
+    ) -> Option<Bounds> {
         let slack = if matches!(self, Self::Piecewise(_)) { TAPER_SLACK } else { 1.0 };
         let from_tip = FromTip::new(self.grid(), rules);
-        let (ritz, reference) = (eigenvalues(modes), eigenvalues(reference));
-        bounds(self.grid(), &from_tip, &self.fields(modes), &ritz, &reference, speed_squared, slack)
+        bounds(self.grid(), &from_tip, &self.fields(modes), &eigenvalues(modes), reference, speed_squared, slack)
     }
 }
 
-/// The converged functions for `count` modes over a range of Ω².
+/// What separates modes from one another: the converged ones, one more than are bounded.
+pub(super) fn separated(found: &Converged, modes: &[Mode]) -> Reference {
+    let margin = found.counted().map_or(1.0, |share| share.max(ERROR_MARGIN * found.error()));
+    Reference { eigenvalues: eigenvalues(modes), margin }
+}
+
+fn eigenvalues(modes: &[Mode]) -> Vec<f64> {
+    modes.iter().map(|mode| mode.eigenvalue).collect()
+}
+
+/// The converged functions for what is wanted.
 pub(super) fn converged(
     blade: &Blade,
     dof: Dof,
-    range: (f64, f64),
-    count: usize,
+    wanted: &Wanted,
     rules: &GaussRules,
+    work: &mut Work,
 ) -> Result<Converged, Faults> {
-    Converged::new(blade, dof, range, count, rules).map_err(|cause| super::unsolvable(SolveError { dof, cause }))
+    Converged::new(blade, dof, wanted, rules, work)
+        .map_err(|cause| super::unsolvable(SolveError { dofs: system(dof).dofs, cause }))
+}
+
+/// That converged functions gave no answer.
+pub(super) fn failed(found: &Converged, cause: EigenError) -> Faults {
+    super::unsolvable(SolveError { dofs: found.matrices().dofs(), cause })
 }
 
 pub(super) fn solve(matrices: &SystemMatrices, speed: f64, count: usize) -> Result<Vec<Mode>, Faults> {

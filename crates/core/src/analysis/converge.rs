@@ -1,13 +1,14 @@
 //! Frequency against the number of assumed functions.
 
-use super::basis::{Basis, Classical, converged, solve};
-use super::{Settings, available, note, unsolvable, warnings};
+use super::basis::{Basis, Classical, converged, separated, solve};
+use super::{Settings, available, note, note_bounds, note_fewer, unsolvable, warnings};
 use crate::blade::Blade;
-use crate::converged::{Converged, TOLERANCE};
+use crate::converged::{Converged, TOLERANCE, Wanted, Work};
 use crate::dof::Dof;
 use crate::fault::Faults;
 use crate::functions::MOST_ORDER;
 use crate::label::Label;
+use crate::lagrange::system;
 use crate::modes::{Mode, SolveError};
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::sqrt;
@@ -45,20 +46,25 @@ pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Fa
             }
         }
         let steps = piecewise_steps(blade, dof, speed, settings.modes, &rules)?;
-        let found = converged(blade, dof, (square, square), settings.modes + 1, &rules)?;
+        let found = converged(blade, dof, &Wanted::at(square, settings.modes + 1), &rules, &mut Work::default())?;
         let reference = solve(found.matrices(), speed, settings.modes + 1)?;
         let error = found.error();
+        let separation = separated(&found, &reference);
         let solved = reference.get(..settings.modes).unwrap_or(&reference);
-        let bounds = Basis::Piecewise(Box::new(found)).bounds(solved, &reference, square, &rules);
+        let bounds = Basis::Piecewise(Box::new(found)).bounds(solved, &separation, square, &rules);
+        let interval = |index: usize| bounds.as_ref().and_then(|bounds| bounds.intervals.get(index));
+        let better = |index: usize| bounds.as_ref().and_then(|bounds| bounds.eigenvalues.get(index));
+        note_bounds(&mut report.warnings, dof, bounds.is_some());
+        note_fewer(&mut report.warnings, dof, solved.len(), settings.modes);
         note(&mut report.warnings, dof, error);
         report.series.extend(values.into_iter().enumerate().map(|(index, classical_rad_s)| ConvergeSeries {
             label: Label::new(dof, index + 1),
             dof,
             number: index + 1,
             classical_rad_s,
-            converged_rad_s: solved.get(index).map(|mode| mode.frequency),
-            lower_rad_s: bounds.intervals.get(index).map(|interval| sqrt(interval.lower)),
-            upper_rad_s: bounds.intervals.get(index).map(|interval| sqrt(interval.upper)),
+            converged_rad_s: solved.get(index).map(|mode| better(index).map_or(mode.frequency, |value| sqrt(*value))),
+            lower_rad_s: interval(index).map(|interval| sqrt(interval.lower)),
+            upper_rad_s: interval(index).map(|interval| sqrt(interval.upper)),
             piecewise_functions: steps.iter().map(|(count, _)| *count).collect(),
             piecewise_rad_s: steps.iter().map(|(_, modes)| modes.get(index).map(|mode| mode.frequency)).collect(),
         }));
@@ -77,7 +83,7 @@ fn piecewise_steps(
 ) -> Result<Vec<(usize, Vec<Mode>)>, Faults> {
     let mut steps = Vec::new();
     for order in 1..=MOST_ORDER {
-        let cause = |cause| unsolvable(SolveError { dof, cause });
+        let cause = |cause| unsolvable(SolveError { dofs: system(dof).dofs, cause });
         let found = Converged::with_order(blade, dof, speed * speed, count, order, rules).map_err(cause)?;
         let modes = available(found.matrices(), speed * speed, count).map_err(unsolvable)?;
         let done = found.error() <= TOLERANCE && modes.len() == count;

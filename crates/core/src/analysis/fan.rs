@@ -1,13 +1,13 @@
 //! Fan charts: frequencies over a range of rotor speeds.
 
-use super::basis::{Basis, solve};
-use super::{Settings, margin, note, unsolvable, warnings};
+use super::basis::solve;
+use super::fitted::{Fitted, fitted};
+use super::{Settings, frequency, margin, note, note_fewer, warnings};
 use crate::blade::Blade;
-use crate::fan::{Curves, meet_rays};
+use crate::fan::meet_rays;
 use crate::fault::Faults;
 use crate::label::Label;
 use crate::numerics::quadrature::GaussRules;
-use crate::numerics::scalar::sqrt;
 use crate::report::{BasisReport, Branch, Coincidence, Crossing, FanChart, FunctionCounts, Nominal, Southwell};
 use alloc::string::ToString;
 use alloc::vec::Vec;
@@ -38,13 +38,13 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
     };
     for dof in settings.ordered_dofs() {
         // From rest, where the Southwell coefficients are taken, past nominal speed.
-        let basis = Basis::new(blade, dof, settings, (0.0, highest * highest), settings.modes, &rules)?;
-        chart.basis.functions.set(dof, basis.count());
-        note(&mut chart.warnings, dof, basis.error());
+        let squares = (range.from * range.from, range.to * range.to);
+        let Fitted { basis, at_rest, curves, error } =
+            fitted(blade, dof, settings, squares, highest * highest, &rules)?;
         let matrices = basis.matrices();
-        let at_rest = solve(matrices, 0.0, settings.modes)?;
-        let curves =
-            Curves::fit(matrices, &at_rest, range.from * range.from, range.to * range.to).map_err(unsolvable)?;
+        chart.basis.functions.set(dof, basis.count());
+        note(&mut chart.warnings, dof, error);
+        note_fewer(&mut chart.warnings, dof, at_rest.len(), settings.modes);
         chart.branches.extend(at_rest.iter().enumerate().map(|(index, mode)| Branch {
             label: Label::new(dof, index + 1),
             dof,
@@ -56,7 +56,7 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
         for speed in &chart.speeds_rad_s {
             let values = curves.eigenvalues(speed * speed);
             for (branch, value) in chart.branches[first..].iter_mut().zip(values) {
-                branch.frequency_rad_s.push(sqrt(value));
+                branch.frequency_rad_s.push(frequency(value));
             }
         }
         let rays = meet_rays(&curves, settings.harmonics);

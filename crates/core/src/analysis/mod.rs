@@ -6,6 +6,7 @@ mod basis;
 mod compare;
 mod converge;
 mod fan;
+mod fitted;
 mod model;
 mod modes;
 mod settings;
@@ -29,7 +30,7 @@ use crate::label::Label;
 use crate::lagrange::SystemMatrices;
 use crate::modes::{Mode, SolveError, solve as solve_modes};
 use crate::numerics::eigen::EigenError;
-use crate::numerics::scalar::round;
+use crate::numerics::scalar::{maximum, round, sqrt};
 use crate::report::Margin;
 use alloc::format;
 use alloc::string::ToString;
@@ -46,16 +47,44 @@ fn available(matrices: &SystemMatrices, speed_squared: f64, count: usize) -> Res
 
 fn unsolvable(error: SolveError) -> Faults {
     let rule = "the equations of the degree of freedom must have an answer";
-    Fault::new(FaultCode::Unsolvable, error.dof.name(), None, rule, error.to_string()).into()
+    let dof = error.dofs.first().map_or("", |dof| dof.name());
+    Fault::new(FaultCode::Unsolvable, dof, None, rule, error.to_string()).into()
 }
 
-/// Says so where the piecewise functions did not reach their tolerance.
+/// Says so where frequencies did not reach their tolerance.
 fn note(warnings: &mut Vec<Warning>, dof: Dof, error: f64) {
-    if error > TOLERANCE {
-        warnings.push(Warning {
-            path: dof.name().to_string(),
-            message: format!("{dof} frequencies are converged to {:.0e} only, not to {TOLERANCE:.0e}", 0.5 * error),
-        });
+    let message = if error.is_nan() {
+        format!("{dof} frequencies are of unknown error")
+    } else if error > TOLERANCE {
+        format!("{dof} frequencies are converged to {:.0e} only, not to {TOLERANCE:.0e}", 0.5 * error)
+    } else {
+        return;
+    };
+    warnings.push(Warning { path: dof.name().to_string(), message });
+}
+
+/// ω of an eigenvalue of fitted curves. Those of one degree of freedom are not negative, or the
+/// eigenproblem refuses the blade; so what lies below 0 is the rounding of a curve that is 0.
+fn frequency(eigenvalue: f64) -> f64 {
+    sqrt(maximum(eigenvalue, 0.0))
+}
+
+/// Says so where a degree of freedom has no bounds, and why.
+fn note_bounds(warnings: &mut Vec<Warning>, dof: Dof, bounded: bool) {
+    if !bounded {
+        let message = format!(
+            "{dof} frequencies have no bounds: counting the modes along the blade does not confirm that none was missed"
+        );
+        warnings.push(Warning { path: dof.name().to_string(), message });
+    }
+}
+
+/// Says so where there are fewer modes than asked for.
+fn note_fewer(warnings: &mut Vec<Warning>, dof: Dof, found: usize, asked: usize) {
+    if found < asked {
+        let message =
+            format!("only {found} of {asked} {dof} modes can be told from rounding: mass or stiffness varies too much");
+        warnings.push(Warning { path: dof.name().to_string(), message });
     }
 }
 

@@ -1,13 +1,14 @@
 //! Frequencies at one speed.
 
-use super::basis::{Basis, Classical, converged, solve};
-use super::{Settings, available, margin, note, unsolvable, warnings};
+use super::basis::{Basis, Classical, converged, separated, solve};
+use super::{Settings, available, margin, note, note_bounds, note_fewer, unsolvable, warnings};
 use crate::blade::Blade;
+use crate::converged::{Wanted, Work};
 use crate::fault::Faults;
 use crate::functions::BasisFamily;
 use crate::label::Label;
 use crate::numerics::quadrature::GaussRules;
-use crate::numerics::scalar::sqrt;
+use crate::numerics::scalar::{maximum, sqrt};
 use crate::report::{BasisReport, FunctionCounts, Margin, ModeReport, ModesReport};
 use crate::units;
 use alloc::boxed::Box;
@@ -37,10 +38,11 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Faults> 
         let for_bounds = settings.basis == BasisFamily::Classical;
         let paper = Classical::new(blade, dof, settings.functions, &rules, for_bounds);
         // One mode more than asked for separates the last one from the rest.
-        let found = converged(blade, dof, (square, square), settings.modes + 1, &rules)?;
+        let found = converged(blade, dof, &Wanted::at(square, settings.modes + 1), &rules, &mut Work::default())?;
         let reference = solve(found.matrices(), speed, settings.modes + 1)?;
         let by_paper = available(&paper.matrices, square, settings.modes).map_err(unsolvable)?;
         let error = found.error();
+        let separation = separated(&found, &reference);
         let basis = match settings.basis {
             BasisFamily::Classical => Basis::Classical(Box::new(paper)),
             BasisFamily::Piecewise => Basis::Piecewise(Box::new(found)),
@@ -49,26 +51,39 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Faults> 
             BasisFamily::Classical => solve(basis.matrices(), speed, settings.modes)?,
             BasisFamily::Piecewise => reference.get(..settings.modes).unwrap_or(&reference).to_vec(),
         };
-        let bounds = basis.bounds(&solved, &reference, square, &rules);
+        let bounds = basis.bounds(&solved, &separation, square, &rules);
+        note_bounds(&mut report.warnings, dof, bounds.is_some());
+        note_fewer(&mut report.warnings, dof, solved.len(), settings.modes);
         report.basis.functions.set(dof, basis.count());
         note(&mut report.warnings, dof, error);
-        for (index, (mode, interval)) in solved.iter().zip(&bounds.intervals).enumerate() {
-            let per_rev = units::per_rev(mode.frequency, speed);
+        for (index, mode) in solved.iter().enumerate() {
+            let interval = bounds.as_ref().and_then(|bounds| bounds.intervals.get(index));
+            let better = bounds.as_ref().and_then(|bounds| bounds.eigenvalues.get(index));
+            // The same bits where the value is the same.
+            let frequency = better.map_or(mode.frequency, |value| sqrt(*value));
+            let converged = match settings.basis {
+                BasisFamily::Classical => reference.get(index).map(|mode| mode.frequency),
+                BasisFamily::Piecewise => Some(frequency),
+            };
+            let per_rev = units::per_rev(frequency, speed);
             let margin = per_rev.map(|per_rev| margin(Label::new(dof, index + 1), per_rev));
             report.modes.push(ModeReport {
                 label: Label::new(dof, index + 1),
                 dof,
                 number: index + 1,
-                frequency_rad_s: mode.frequency,
-                frequency_hz: units::hz(mode.frequency),
+                frequency_rad_s: frequency,
+                frequency_hz: units::hz(frequency),
                 per_rev,
                 nearest_harmonic: margin.as_ref().map(|margin| margin.nearest_harmonic),
                 margin_per_rev: margin.as_ref().map(|margin| margin.margin_per_rev),
-                lower_rad_s: Some(sqrt(interval.lower)),
-                upper_rad_s: Some(sqrt(interval.upper)),
-                separation_rad_s: bounds.separation.map(|square| sqrt(square.max(0.0))),
+                lower_rad_s: interval.map(|interval| sqrt(interval.lower)),
+                upper_rad_s: interval.map(|interval| sqrt(interval.upper)),
+                separation_rad_s: bounds
+                    .as_ref()
+                    .and_then(|bounds| bounds.separation)
+                    .map(|square| sqrt(maximum(square, 0.0))),
                 classical_rad_s: by_paper.get(index).map(|mode| mode.frequency),
-                converged_rad_s: reference.get(index).map(|mode| mode.frequency),
+                converged_rad_s: converged,
                 residual: mode.residual,
             });
         }

@@ -1,8 +1,9 @@
 //! Mode shapes along the span.
 
 use super::basis::{Basis, solve};
-use super::{Settings, ShapeScale, note, warnings};
+use super::{Settings, ShapeScale, note, note_fewer, warnings};
 use crate::blade::Blade;
+use crate::converged::{Wanted, Work};
 use crate::dof::Dof;
 use crate::fault::Faults;
 use crate::label::Label;
@@ -36,10 +37,12 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Faults
         warnings: warnings(blade),
     };
     for dof in settings.ordered_dofs() {
-        let basis = Basis::new(blade, dof, settings, (speed * speed, speed * speed), settings.modes, &rules)?;
+        let basis =
+            Basis::new(blade, dof, settings, &Wanted::at(speed * speed, settings.modes), &rules, &mut Work::default())?;
         report.basis.functions.set(dof, basis.count());
         note(&mut report.warnings, dof, basis.error());
         let solved = solve(basis.matrices(), speed, settings.modes)?;
+        note_fewer(&mut report.warnings, dof, solved.len(), settings.modes);
         let mass = basis.matrices().mass().clone();
         let orthogonality = modes::orthogonality(&mass, &solved);
         let functions = basis.into_functions();
@@ -49,17 +52,18 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Faults
             (ShapeScale::Mass, Dof::Flap | Dof::Lag) => Some(mass),
             (ShapeScale::Mass, Dof::Torsion) => Some(torsion_norm(blade, functions.as_ref(), &rules)),
         };
-        let sampled = modes::shapes(&tables, &solved, speed * speed, norm.as_ref());
-        report.shapes.extend(solved.iter().zip(sampled).enumerate().map(|(index, (mode, shape))| ShapeReport {
+        let sampled = modes::shapes(&[tables], &solved, speed * speed, norm.as_ref());
+        let components = sampled.into_iter().flat_map(|shape| shape.components);
+        report.shapes.extend(solved.iter().zip(components).enumerate().map(|(index, (mode, component))| ShapeReport {
             label: Label::new(dof, index + 1),
             dof,
             number: index + 1,
             frequency_rad_s: mode.frequency,
             orthogonality: orthogonality[index],
-            nodes_m: modes::nodes(&radii, &shape.displacement),
-            displacement: shape.displacement,
-            slope: shape.slope,
-            moment: shape.moment,
+            nodes_m: modes::nodes(&radii, &component.displacement),
+            displacement: component.displacement,
+            slope: component.slope,
+            moment: component.moment,
         }));
     }
     report.r_m = radii;

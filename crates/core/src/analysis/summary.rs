@@ -3,7 +3,6 @@
 use super::{Model, warnings};
 use crate::blade::{Blade, Property, RootCondition, moments};
 use crate::dof::Dof;
-use crate::order::ascending;
 use crate::report::{BladeSummary, DofSummary};
 use alloc::string::ToString;
 use alloc::vec::Vec;
@@ -36,8 +35,9 @@ pub fn summary(blade: &Blade) -> BladeSummary {
         }
     });
     let used = Property::ALL.into_iter().filter(|property| Model::UNCOUPLED.uses(*property));
-    let stations: Vec<f64> = used.flat_map(|property| blade.property(property).stations().iter().copied()).collect();
-    let mut stations = ascending(&stations);
+    let stations = used.flat_map(|property| blade.property(property).stations().iter().copied());
+    let mut stations: Vec<f64> = stations.collect();
+    stations.sort_by(f64::total_cmp);
     stations.dedup();
     BladeSummary {
         schema: "bladefan-check/1",

@@ -96,14 +96,14 @@ impl Amount {
 
 /// The part of the span between two radii [length]; without one of them, to the end on that side.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Stretch {
+pub struct Part {
     /// Inner end.
     pub from: Option<f64>,
     /// Outer end.
     pub to: Option<f64>,
 }
 
-impl Stretch {
+impl Part {
     /// The whole span.
     pub const WHOLE: Self = Self { from: None, to: None };
 
@@ -124,7 +124,7 @@ pub struct Change {
     /// How.
     pub amount: Amount,
     /// Where along the span; only a property has more places than one.
-    pub stretch: Stretch,
+    pub part: Part,
     /// Units of the numbers here; `None`: those of the blade.
     pub units: Option<Units>,
     /// A mass that is scaled takes the polar inertia along, as more of the same material would;
@@ -135,13 +135,13 @@ pub struct Change {
 impl Change {
     /// A change over the whole span, in the blade's units.
     pub const fn new(what: What, amount: Amount) -> Self {
-        Self { what, amount, stretch: Stretch::WHOLE, units: None, mass_alone: false }
+        Self { what, amount, part: Part::WHOLE, units: None, mass_alone: false }
     }
 
     /// The same on a part of the span only.
     #[must_use]
     pub const fn on(self, from: f64, to: f64) -> Self {
-        Self { stretch: Stretch { from: Some(from), to: Some(to) }, ..self }
+        Self { part: Part { from: Some(from), to: Some(to) }, ..self }
     }
 
     /// The same with its numbers in these units.
@@ -163,7 +163,7 @@ impl Change {
             Amount::Set(_) => "set",
             Amount::Add(_) => "add",
         };
-        let Stretch { from, to } = self.stretch;
+        let Part { from, to } = self.part;
         for (key, number) in [(key, Some(self.amount.number())), ("from", from), ("to", to)] {
             if let Some(number) = number.filter(|number| !number.is_finite()) {
                 refuse(FaultCode::NotFinite, key, Some(number), "must be finite");
@@ -174,7 +174,7 @@ impl Change {
         {
             refuse(FaultCode::OutOfRange, "to", Some(to), "must be greater than from");
         }
-        if !self.stretch.is_whole() && !matches!(self.what, What::Property(_)) {
+        if !self.part.is_whole() && !matches!(self.what, What::Property(_)) {
             let key = if from.is_some() { "from" } else { "to" };
             refuse(FaultCode::Conflict, key, from.or(to), "belongs to a property along the span only");
         }
@@ -188,7 +188,7 @@ impl Change {
         let length = |end: Option<f64>| end.map(|end| factors.number(end, LENGTH));
         Self {
             amount: self.amount.converted(|number| factors.number(number, |units| self.what.unit(*units))),
-            stretch: Stretch { from: length(self.stretch.from), to: length(self.stretch.to) },
+            part: Part { from: length(self.part.from), to: length(self.part.to) },
             units: None,
             ..self
         }
@@ -224,13 +224,13 @@ pub fn change(definition: &BladeDefinition, changes: &[Change]) -> Result<Change
 
 impl Changed {
     fn apply(&mut self, change: Change) {
-        let Change { what, amount, stretch, .. } = change;
+        let Change { what, amount, part, .. } = change;
         match what {
             What::Property(property) => {
-                let done = self.property(property, amount, stretch);
+                let done = self.property(property, amount, part);
                 if let (Property::Mass, Amount::Scale(factor), false, true) =
                     (property, amount, change.mass_alone, done)
-                    && self.property(Property::PolarInertia, amount, stretch)
+                    && self.property(Property::PolarInertia, amount, part)
                 {
                     let message = format!("scaled by {factor} along with the mass");
                     self.notes.push(Warning { path: What::Property(Property::PolarInertia).path(), message });
@@ -251,14 +251,14 @@ impl Changed {
     }
 
     /// Changes a property; tells whether anything is changed.
-    fn property(&mut self, property: Property, amount: Amount, stretch: Stretch) -> bool {
+    fn property(&mut self, property: Property, amount: Amount, part: Part) -> bool {
         let radius = self.blade.rotor.and_then(|rotor| rotor.radius);
         let Some(distribution) = &mut self.blade.distribution else { return false };
         let changed = match &distribution[property] {
-            Some(given) => changed_property(given, distribution, amount, stretch, radius),
+            Some(given) => changed_property(given, distribution, amount, part, radius),
             // What may be left out is 0 where it is.
             None if property.is_required() => None,
-            None => changed_property(&PropertyDefinition::Uniform(0.0), distribution, amount, stretch, radius),
+            None => changed_property(&PropertyDefinition::Uniform(0.0), distribution, amount, part, radius),
         };
         let done = changed.is_some();
         if done {
@@ -310,15 +310,15 @@ fn changed_property(
     given: &PropertyDefinition,
     distribution: &DistributionDefinition,
     amount: Amount,
-    stretch: Stretch,
+    part: Part,
     radius: Option<f64>,
 ) -> Option<PropertyDefinition> {
-    let (from, to) = stretch.ends();
-    let all = |r: &[f64]| stretch.is_whole() || matches!(r, [first, .., last] if from <= *first && to >= *last);
+    let (from, to) = part.ends();
+    let all = |r: &[f64]| part.is_whole() || matches!(r, [first, .., last] if from <= *first && to >= *last);
     let ends = radius.map(|radius| [0.0, radius]);
     let (r, values): (&[f64], &[f64]) = match given {
         PropertyDefinition::Uniform(value) => {
-            if stretch.is_whole() || ends.is_some_and(|ends| all(&ends)) {
+            if part.is_whole() || ends.is_some_and(|ends| all(&ends)) {
                 return differ(*value, amount.of(*value)).then(|| PropertyDefinition::Uniform(amount.of(*value)));
             }
             (&ends?, &[*value, *value])

@@ -9,9 +9,10 @@ mod model;
 mod property;
 mod range;
 mod restation;
+mod section;
 mod tension;
 
-pub use change::{Amount, Change, Changed, Stretch, What, change};
+pub use change::{Amount, Change, Changed, Part, What, change};
 pub use check::check;
 #[cfg(feature = "formats")]
 pub(crate) use check::{Shortest, choice_fault, shortest};
@@ -21,4 +22,5 @@ pub use definition::{
 };
 pub use model::{Blade, Root, RootCondition};
 pub use property::Property;
-pub use tension::{Tension, moments, tension_inside};
+pub use section::{Place, Section, Stretch, stretches};
+pub use tension::moments;

@@ -3,48 +3,9 @@
 use crate::numerics::PiecewiseLinear;
 use alloc::vec::Vec;
 
-/// Tension of a rotating blade per Ω², T(r) = ∫ m ρ dρ from r to R [kg·m]: a cubic between the
-/// stations of the mass, integrated exactly.
-#[derive(Clone, Debug)]
-pub struct Tension<'a> {
-    mass: &'a PiecewiseLinear,
-    /// Ends of the pieces, ascending; the last is R.
-    ends: Vec<f64>,
-    /// T at these ends.
-    at_ends: Vec<f64>,
-}
-
-impl<'a> Tension<'a> {
-    /// Tension outboard of every radius from `inner` to `radius`.
-    pub fn new(mass: &'a PiecewiseLinear, inner: f64, radius: f64) -> Self {
-        let mut ends: Vec<f64> =
-            mass.stations().iter().copied().filter(|&station| station > inner && station < radius).collect();
-        ends.dedup();
-        ends.push(radius);
-        let mut at_ends = alloc::vec![0.0; ends.len()];
-        for i in (1..ends.len()).rev() {
-            at_ends[i - 1] = at_ends[i] + pull(mass, ends[i - 1], ends[i]);
-        }
-        Self { mass, ends, at_ends }
-    }
-
-    /// T(r) [kg·m].
-    pub fn at(&self, r: f64) -> f64 {
-        let piece = self.ends.partition_point(|&end| end < r);
-        match (self.ends.get(piece), self.at_ends.get(piece)) {
-            (Some(&end), Some(&outboard)) => outboard + pull(self.mass, r, end),
-            _ => 0.0,
-        }
-    }
-}
-
-/// ∫ m ρ dρ over a piece within which the mass is linear.
-fn pull(mass: &PiecewiseLinear, from: f64, to: f64) -> f64 {
-    over_piece(mass, from, to, |r| r)
-}
-
-/// The same from the mass per length at both ends [kg/m]: what a stretch adds to the tension [kg·m].
-pub fn tension_inside(at_from: f64, at_to: f64, from: f64, to: f64) -> f64 {
+/// What a stretch adds to the tension per Ω², ∫ m ρ dρ [kg·m], from the mass per length at both ends
+/// [kg/m].
+pub(super) fn tension_inside(at_from: f64, at_to: f64, from: f64, to: f64) -> f64 {
     simpson(at_from, at_to, from, to, |r| r)
 }
 
@@ -82,20 +43,6 @@ pub fn moments(property: &PiecewiseLinear, root: f64, radius: f64) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use alloc::vec;
-
-    #[test]
-    fn tension_of_a_stepped_tapered_mass_is_exact() {
-        // m = 2 up to r = 1, then 3 − r up to 2: T(1) = ∫(3r − r²) = 4.5 − 7/3, T(0) = T(1) + 1.
-        let mass = PiecewiseLinear::new(vec![0.0, 1.0, 1.0, 2.0], vec![2.0, 2.0, 2.0, 1.0]).unwrap();
-        let tension = Tension::new(&mass, 0.0, 2.0);
-        let outer = 4.5 - 7.0 / 3.0;
-        assert!((tension.at(1.0) - outer).abs() < 1e-15, "{}", tension.at(1.0));
-        assert!((tension.at(0.0) - (outer + 1.0)).abs() < 1e-15, "{}", tension.at(0.0));
-        let exact = 1.5 * (4.0 - 2.25) - (8.0 - 3.375) / 3.0;
-        assert!((tension.at(1.5) - exact).abs() < 1e-15, "{}", tension.at(1.5));
-        assert_eq!(tension.at(2.0), 0.0);
-    }
 
     #[test]
     fn moments_of_a_uniform_bar_about_an_offset_root() {

@@ -12,6 +12,7 @@ use crate::dof::Dof;
 use crate::functions::BasisFamily;
 use crate::numerics::scalar::round;
 use crate::report::{ConvergeReport, ConvergeSeries};
+use crate::units::percent;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -41,8 +42,8 @@ struct Trace<'a> {
 
 impl Trace<'_> {
     fn error(&self) -> Vec<(f64, f64)> {
-        let percent = |ratio: f64| (100.0 * (ratio - 1.0).abs()).max(LEAST_ERROR);
-        self.ratio.iter().map(|&(count, ratio)| (count, percent(ratio))).collect()
+        let error = |ratio: f64| percent(ratio, 1.0).map_or(LEAST_ERROR, |percent| percent.abs().max(LEAST_ERROR));
+        self.ratio.iter().map(|&(count, ratio)| (count, error(ratio))).collect()
     }
 }
 

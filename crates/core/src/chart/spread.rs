@@ -1,6 +1,5 @@
 //! Labels along one line: each as near its target as the others let it.
 
-use crate::order::order;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -20,9 +19,8 @@ pub(super) struct Wish {
 /// labels there is no room for. Of all such places these have the least sum of squared
 /// displacements (pool adjacent violators).
 pub(super) fn spread(wishes: &[Wish], low: f64, high: f64) -> Vec<Option<f64>> {
-    let targets: Vec<f64> = wishes.iter().map(|wish| wish.target).collect();
-    let mut order = order(&targets);
-    order.retain(|&index| targets[index].is_finite());
+    let mut order: Vec<usize> = (0..wishes.len()).filter(|&index| wishes[index].target.is_finite()).collect();
+    order.sort_by(|&a, &b| wishes[a].target.total_cmp(&wishes[b].target));
     loop {
         let total: f64 = order.iter().map(|&index| wishes[index].size).sum();
         if total > high - low {

@@ -1,28 +1,31 @@
 //! The converged answer: piecewise functions, as many as it takes.
 //!
 //! A blade has some hundred of them. Their lowest modes at a few speeds, found by inverse iteration
-//! in time proportional to the number of elements, span a small space in which those of all other
+//! in time proportional to the number of elements, span a small subspace in which those of all other
 //! speeds lie to far below the tolerance; so a few functions come out, with matrices like those of
 //! any others. How good they are is measured by how far their modes are from equilibrium.
 
+mod count;
 mod elements;
-mod mesh;
-mod space;
+mod layout;
+mod reduced;
+mod refine;
+mod subspace;
 
 use crate::blade::Blade;
 use crate::dof::Dof;
-use crate::functions::{Deformation, MOST_ORDER, PiecewiseFunctions};
-use crate::lagrange::{Fields, FromTip, Grid, SystemMatrices, assemble, moment_gaps};
-use crate::numerics::chain::Chain;
-use crate::numerics::eigen::{EigenError, lowest};
+use crate::functions::PiecewiseFunctions;
+use crate::lagrange::{Fields, FromTip, Grid, Residuals, SystemMatrices};
+use crate::numerics::eigen::EigenError;
 use crate::numerics::quadrature::GaussRules;
-use crate::numerics::scalar::{ceil, ln, sqrt};
 use alloc::vec;
 use alloc::vec::Vec;
-use elements::Elements;
-use mesh::{Layout, first_layout};
+use elements::{Elements, Factor};
+use layout::first_layout;
 use nalgebra::DMatrix;
-use space::Space;
+use reduced::Reduced;
+use refine::raise;
+use subspace::Subspace;
 
 /// Relative error of an eigenvalue that is aimed at.
 pub const TOLERANCE: f64 = 1e-10;
@@ -39,10 +42,48 @@ const MOST_ITERATIONS: usize = 8;
 const ANCHORS: [f64; 6] = [0.5, 0.0, 1.0, 0.25, 0.75, 0.06];
 /// So many of them at first.
 const FIRST_ANCHORS: usize = 3;
+/// Most functions that may come out of a range: a chart solves dense problems of that order.
+pub const MOST_FUNCTIONS: usize = 200;
 /// Where the answer is checked besides, as shares of the range of Ω².
 const CHECKS: [f64; 2] = [1.0, 0.2];
-/// A direction with less than this beside those there are is left out.
-const NOTHING_NEW: f64 = 1e-8;
+/// How far below the last eigenvalue found the others are counted, as shares of it, one after the
+/// other until a count is certain.
+const COUNTED_BELOW: [f64; 3] = [1e-7, 1e-6, 1e-5];
+/// So many elements are each given a load of its own where the iteration has missed a mode, once,
+/// and once more.
+const LOADED_ELEMENTS: [usize; 2] = [16, 64];
+/// Most multiplications of one solve, about: where they are used up, what was found is the answer, and
+/// its error says how good it is. Ordinary blades need a hundredth.
+const MOST_WORK: f64 = 2.5e8;
+
+/// What is left to spend on one degree of freedom, in multiplications: the bound on the time of a solve.
+#[derive(Clone, Copy, Debug)]
+pub struct Work {
+    left: f64,
+}
+
+impl Default for Work {
+    fn default() -> Self {
+        Self { left: MOST_WORK }
+    }
+}
+
+impl Work {
+    /// For a range of rotor speeds.
+    pub const fn for_range() -> Self {
+        Self { left: 1.8 * MOST_WORK }
+    }
+
+    /// Takes off what was done.
+    pub fn spend(&mut self, multiplications: f64) {
+        self.left -= multiplications;
+    }
+
+    /// What is left; not above 0 where all is spent.
+    pub fn left(&self) -> f64 {
+        self.left
+    }
+}
 
 /// The lowest modes of one degree of freedom over a range of rotor speeds, as a few functions.
 #[derive(Clone, Debug)]
@@ -50,39 +91,80 @@ pub struct Converged {
     elements: Elements,
     found: Reduced,
     error: f64,
+    counted: Option<f64>,
 }
 
-/// The few functions that came out.
-#[derive(Clone, Debug)]
-struct Reduced {
-    /// Their strain coefficients; the rigid motion has none.
-    coefficients: DMatrix<f64>,
-    matrices: SystemMatrices,
+/// What is asked of the functions.
+#[derive(Clone, Copy, Debug)]
+pub struct Wanted<'a> {
+    /// From and to Ω² [rad²/s²].
+    pub range: (f64, f64),
+    /// Modes, from the lowest.
+    pub count: usize,
+    /// Further Ω² in the range at which the functions are to be as good as anywhere.
+    pub also_at: &'a [f64],
+}
+
+impl Wanted<'_> {
+    /// At one speed.
+    pub const fn at(speed_squared: f64, count: usize) -> Self {
+        Self { range: (speed_squared, speed_squared), count, also_at: &[] }
+    }
+
+    fn is_range(&self) -> bool {
+        self.range.1 > self.range.0
+    }
+
+    /// Ω² at a share of the range.
+    fn share(&self, share: f64) -> f64 {
+        let (from, to) = self.range;
+        if self.is_range() { from + share * (to - from) } else { to }
+    }
+
+    /// Where modes are sought: at first, or at all.
+    fn anchors(&self, all: bool) -> Vec<f64> {
+        let shares = match (self.is_range(), all) {
+            (false, _) => &ANCHORS[..1],
+            (true, false) => &ANCHORS[..FIRST_ANCHORS],
+            (true, true) => &ANCHORS[..],
+        };
+        shares.iter().map(|share| self.share(*share)).chain(self.also_at.iter().copied()).collect()
+    }
+
+    /// Where the answer is checked.
+    fn checks(&self) -> Vec<f64> {
+        let shares = if self.is_range() { &CHECKS[..] } else { &CHECKS[..1] };
+        shares.iter().map(|share| self.share(*share)).chain(self.also_at.iter().copied()).collect()
+    }
 }
 
 impl Converged {
-    /// Functions for the `count` lowest modes at every `from` ≤ Ω² ≤ `to` [rad²/s²].
+    /// The functions for what is wanted.
     ///
     /// # Errors
     /// [`EigenError`].
     pub fn new(
         blade: &Blade,
         dof: Dof,
-        (from, to): (f64, f64),
-        count: usize,
+        wanted: &Wanted,
         rules: &GaussRules,
+        work: &mut Work,
     ) -> Result<Self, EigenError> {
-        let mut layout = first_layout(blade, dof, to, count);
+        let mut layout = first_layout(blade, dof, wanted.range.1, wanted.count);
         let mut last: Option<Self> = None;
         for _ in 0..MOST_ROUNDS {
             let elements = Elements::new(blade, dof, &layout, rules);
-            let (found, shares) = Self::on(elements, (from, to), count, rules)?;
-            let best = last.as_ref().is_none_or(|last| found.error < last.error);
+            let (found, shares) = match Self::on(elements, wanted, rules, true, work) {
+                Ok(found) => found,
+                // A coarser answer is better than none.
+                Err(_) if last.is_some() => break,
+                Err(error) => return Err(error),
+            };
             let error = found.error;
-            if best {
+            if last.as_ref().is_none_or(|last| error < last.error) {
                 last = Some(found);
             }
-            if error <= TOLERANCE || !raise(&mut layout, &shares) {
+            if error <= TOLERANCE || work.left() <= 0.0 || !raise(&mut layout, &shares) {
                 break;
             }
         }
@@ -104,66 +186,100 @@ impl Converged {
         let mut layout = first_layout(blade, dof, speed_squared, count);
         layout.orders.fill(order);
         let elements = Elements::new(blade, dof, &layout, rules);
-        Ok(Self::on(elements, (speed_squared, speed_squared), count, rules)?.0)
+        Ok(Self::on(elements, &Wanted::at(speed_squared, count), rules, false, &mut Work::default())?.0)
     }
 
     /// Inverse iteration on one mesh; with the largest share that each element has in the errors.
+    /// Where `counts`, it is held against the count of eigenvalues. Takes off `work` what it took.
     fn on(
         elements: Elements,
-        (from, to): (f64, f64),
-        count: usize,
+        wanted: &Wanted,
         rules: &GaussRules,
+        counts: bool,
+        work: &mut Work,
     ) -> Result<(Self, Vec<f64>), EigenError> {
-        let range = to > from;
-        let at = |share: f64| if range { from + share * (to - from) } else { to };
-        let mut anchors = if range { &ANCHORS[..FIRST_ANCHORS] } else { &ANCHORS[..1] };
-        let start = at(ANCHORS[0]);
-        let chain = elements.factor(start).ok_or(EigenError::NotPositiveDefinite)?;
-        let mut space = Space::new(&elements, start);
-        space.push_turned_root(&chain, start);
-        // One degree above the rigid motion, so that no symmetry hides a mode from it.
-        let start: Vec<f64> = elements.grid().x().map(|x| if elements.torsion { x } else { x * x }).collect();
-        space.push_start(&chain, &start);
-        // Fewer for a range: its ends give theirs, too.
-        let wanted = if range { 2 * count } else { 2 * count + 2 };
-        let mut next = 0;
-        while space.members() < wanted && next < space.members() {
-            space.push_next(&chain, next);
-            next += 1;
-        }
+        let count = wanted.count;
+        let mut anchors = wanted.anchors(false);
+        let start = anchors[0];
+        let factor = elements.factor(start).ok_or(EigenError::NotPositiveDefinite)?;
+        let mut subspace = Subspace::new(&elements, start, work.left());
+        subspace.start(&factor, start, if wanted.is_range() { 2 * count } else { 2 * count + 2 });
         let from_tip = FromTip::new(elements.fine_grid(), rules);
         let (mut settled, mut last) = (SETTLED, f64::INFINITY);
+        let (mut widened, mut loads) = (false, LOADED_ELEMENTS.iter());
         loop {
-            for (index, share) in anchors.iter().enumerate() {
-                let s = at(*share);
+            for (index, &s) in anchors.iter().enumerate() {
                 let there;
-                let chain = if index == 0 {
-                    &chain
+                let factor = if index == 0 {
+                    &factor
                 } else {
                     there = elements.factor(s).ok_or(EigenError::NotPositiveDefinite)?;
                     &there
                 };
-                iterate(&mut space, chain, s, count, settled)?;
+                iterate(&mut subspace, factor, s, count, settled)?;
             }
-            let found = Reduced::new(&elements, &space, anchors.iter().map(|share| at(*share)), count)?;
+            let found = Reduced::new(&elements, &subspace, &anchors, count)?;
             let mut error = 0.0_f64;
             let mut shares = vec![0.0; elements.mesh.orders().len()];
-            for share in if range { &CHECKS[..] } else { &CHECKS[..1] } {
-                error = error.max(found.check(&elements, at(*share), count, &from_tip, &mut shares)?);
+            for s in wanted.checks() {
+                error = error.max(found.check(&elements, s, count, &from_tip, &mut shares)?);
             }
-            let helped = error <= WORTHWHILE * last;
-            if error > TOLERANCE && !helped && anchors.len() == FIRST_ANCHORS {
-                anchors = &ANCHORS;
+            let helped = error <= WORTHWHILE * last && !subspace.is_exhausted();
+            let many = count * ANCHORS.len() > MOST_FUNCTIONS;
+            if error > TOLERANCE && !helped && wanted.is_range() && !widened && !many && !subspace.is_exhausted() {
+                (anchors, widened) = (wanted.anchors(true), true);
                 last = f64::INFINITY;
             } else if error <= TOLERANCE || !helped {
-                // Where neither iterating on nor more speeds help, the elements are to blame.
-                drop(space);
-                return Ok((Self { elements, found, error }, shares));
+                // Where neither iterating on nor more speeds help, the elements are to blame, unless a
+                // mode was missed.
+                let counted = if counts { found.counted(&elements, start, count, error)? } else { None };
+                let again = counts && counted.is_none() && !subspace.is_exhausted();
+                match loads.next().filter(|_| again) {
+                    Some(loaded) => {
+                        subspace.push_loads(&factor, *loaded);
+                        (settled, last) = (SETTLED, f64::INFINITY);
+                        continue;
+                    }
+                    None => {
+                        work.spend(subspace.work());
+                        drop(subspace);
+                        return Ok((Self { elements, found, error, counted }, shares));
+                    }
+                }
             } else {
                 last = error;
             }
             settled *= 0.01;
         }
+    }
+
+    /// How near below the last eigenvalue, as a share of it, no other was missed: so many were counted,
+    /// without the iteration that found them. `None` where the counts differ or are uncertain.
+    pub fn counted(&self) -> Option<f64> {
+        self.counted
+    }
+
+    /// Eigenvalues below a number among all sums of the piecewise functions; `None` where rounding
+    /// leaves the count uncertain.
+    pub fn count_below(&self, eigenvalue: f64, speed_squared: f64) -> Option<usize> {
+        count::below(&self.elements, eigenvalue, speed_squared)
+    }
+
+    /// The largest relative error of the `count` lowest eigenvalues at one Ω².
+    ///
+    /// # Errors
+    /// [`EigenError`].
+    pub fn error_at(&self, speed_squared: f64, count: usize, rules: &GaussRules) -> Result<f64, EigenError> {
+        let from_tip = FromTip::new(self.grid(), rules);
+        let mut shares = vec![0.0; self.elements.mesh.orders().len()];
+        self.found.check(&self.elements, speed_squared, count, &from_tip, &mut shares)
+    }
+
+    /// How good any mode within these functions is, at any speed.
+    pub fn residuals(&self, rules: &GaussRules) -> Residuals {
+        let n = self.found.matrices.count();
+        let fields = self.fields(&DMatrix::identity(n, n));
+        Residuals::new(self.grid(), &FromTip::new(self.grid(), rules), &fields)
     }
 
     /// The matrices of the functions that came out.
@@ -173,7 +289,7 @@ impl Converged {
 
     /// How many piecewise functions the answer is made of.
     pub fn count(&self) -> usize {
-        self.elements.mesh.count() + usize::from(self.elements.root_turns())
+        self.elements.mesh.count() + usize::from(self.elements.root_rotates())
     }
 
     /// Estimate of the largest relative error of an eigenvalue; above [`TOLERANCE`] where that was
@@ -194,148 +310,29 @@ impl Converged {
 
     /// The functions themselves.
     pub fn functions(&self) -> PiecewiseFunctions {
-        let deformation = if self.elements.torsion { Deformation::Torsion } else { Deformation::Bending };
+        let deformation = self.elements.grid().deformation();
         let mesh = self.elements.mesh.clone();
-        PiecewiseFunctions::new(mesh, deformation, self.elements.root_turns(), self.found.coefficients.clone())
+        PiecewiseFunctions::new(mesh, deformation, self.elements.root_rotates(), self.found.coefficients.clone())
     }
 }
 
 /// Rounds of inverse iteration at Ω² = `s`, until what they add is less than `settled` of the modes.
-fn iterate(space: &mut Space, chain: &Chain, s: f64, count: usize, settled: f64) -> Result<(), EigenError> {
+fn iterate(subspace: &mut Subspace, factor: &Factor, s: f64, count: usize, settled: f64) -> Result<(), EigenError> {
     for _ in 0..MOST_ITERATIONS {
-        let found = space.ritz(s, count)?;
+        let found = subspace.ritz(s, count)?;
         let mut new = 0.0_f64;
         for (q, value) in found.vectors.column_iter().zip(&found.values) {
             // A rigid mode is exact.
             if *value > 0.0 {
-                let motion = space.motion(q.as_slice());
-                new = new.max(space.push_response(chain, &motion));
+                let displacement = subspace.displacement(q.as_slice());
+                new = new.max(subspace.push_response(factor, &displacement));
             }
         }
-        if new < settled {
+        if new < settled || subspace.is_exhausted() {
             break;
         }
     }
     Ok(())
-}
-
-impl Reduced {
-    /// The span of the modes at these Ω².
-    fn new(
-        elements: &Elements,
-        space: &Space,
-        anchors: impl Iterator<Item = f64>,
-        count: usize,
-    ) -> Result<Self, EigenError> {
-        let rigid = usize::from(elements.root_turns());
-        let mut out: Vec<Vec<f64>> = Vec::new();
-        for s in anchors {
-            for q in space.ritz(s, count)?.vectors.column_iter() {
-                add_direction(&mut out, q.as_slice()[rigid..].to_vec());
-            }
-        }
-        let clamped = DMatrix::from_fn(space.len() - rigid, out.len(), |i, j| out[j][i]);
-        let mut all = DMatrix::zeros(space.len(), out.len() + rigid);
-        all.view_mut((rigid, rigid), clamped.shape()).copy_from(&clamped);
-        if rigid == 1 {
-            all[(0, 0)] = 1.0;
-        }
-        let matrices = assemble(elements.grid(), space.energies(), rigid == 1).reduced(&all);
-        Ok(Self { coefficients: space.coefficients(&clamped), matrices })
-    }
-
-    /// The largest relative error of an eigenvalue at Ω² = `s`; raises the share of each element to
-    /// the largest error that it is to blame for.
-    fn check(
-        &self,
-        elements: &Elements,
-        s: f64,
-        count: usize,
-        from_tip: &FromTip,
-        shares: &mut [f64],
-    ) -> Result<f64, EigenError> {
-        let grid = elements.fine_grid();
-        let shift = if grid.dof() == Dof::Lag { s } else { 0.0 };
-        let g = self.matrices.stiffness() + self.matrices.centrifugal() * s + self.matrices.mass() * shift;
-        let found = lowest(&g, self.matrices.mass(), count)?;
-        let rigid = found.values.iter().take_while(|value| **value == 0.0).count();
-        let gaps = moment_gaps(grid, from_tip, &self.fields(elements, &found.vectors), &found.values, rigid, s);
-        let energies = gaps.energies(grid);
-        let mut error = 0.0_f64;
-        for (mode, value) in found.values.iter().enumerate().skip(rigid) {
-            error = error.max(energies[(mode, mode)] * value);
-            let column = gaps.moment.column(mode);
-            for (cell, share) in grid.cells().iter().zip(shares.iter_mut()) {
-                let own: f64 =
-                    cell.points.clone().map(|k| grid.weight()[k] * column[k] * column[k] / grid.stiffness()[k]).sum();
-                *share = share.max(own * value);
-            }
-        }
-        Ok(error)
-    }
-
-    /// What sums of the functions that came out (columns of `coordinates`) do along the span.
-    fn fields(&self, elements: &Elements, coordinates: &DMatrix<f64>) -> Fields {
-        let rigid = usize::from(elements.root_turns());
-        let points = elements.fine_grid().len();
-        let n = coordinates.ncols();
-        let mut fields = Fields {
-            motion: DMatrix::zeros(points, n),
-            turn: DMatrix::zeros(points, n),
-            strain: DMatrix::zeros(points, n),
-            root_turn: vec![0.0; n],
-        };
-        let rigid_motion = elements.fine_grid().rigid_motion();
-        for (column, q) in coordinates.column_iter().enumerate() {
-            let sum = &self.coefficients * q.rows(rigid, q.nrows() - rigid);
-            let vector = elements.fields(sum.as_slice());
-            let root_turn = if rigid == 1 { q[0] } else { 0.0 };
-            fields.root_turn[column] = root_turn;
-            let at = column * points..(column + 1) * points;
-            for ((out, clamped), x) in
-                fields.motion.as_mut_slice()[at.clone()].iter_mut().zip(&vector.motion).zip(&rigid_motion)
-            {
-                *out = clamped + root_turn * x;
-            }
-            for (out, clamped) in fields.turn.as_mut_slice()[at.clone()].iter_mut().zip(&vector.turn) {
-                *out = clamped + root_turn;
-            }
-            fields.strain.as_mut_slice()[at].copy_from_slice(&vector.strain);
-        }
-        fields
-    }
-}
-
-/// Adds what a direction has beside those there are, at unit length.
-fn add_direction(out: &mut Vec<Vec<f64>>, mut direction: Vec<f64>) {
-    let length = |v: &[f64]| sqrt(v.iter().map(|v| v * v).sum());
-    let before = length(&direction);
-    for _ in 0..2 {
-        for known in out.iter() {
-            let along: f64 = known.iter().zip(&direction).map(|(a, b)| a * b).sum();
-            direction.iter_mut().zip(known).for_each(|(v, k)| *v -= along * k);
-        }
-    }
-    let after = length(&direction);
-    if after > NOTHING_NEW * before {
-        out.push(direction.into_iter().map(|v| v / after).collect());
-    }
-}
-
-/// Raises the orders of the elements that are to blame; false where nothing is left to raise.
-fn raise(layout: &mut Layout, shares: &[f64]) -> bool {
-    let fair = 0.1 * TOLERANCE / shares.len() as f64;
-    let mut raised = false;
-    for (order, share) in layout.orders.iter_mut().zip(shares) {
-        if *share > fair && *order < MOST_ORDER {
-            // Each order more takes off a factor of ten or so, fewer where the strain turns fast.
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to some tens")]
-            let more = ceil(ln(*share / fair) / 4.0).clamp(1.0, 8.0) as usize;
-            *order = (*order + more).min(MOST_ORDER);
-            raised = true;
-        }
-    }
-    raised
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The converged family by itself; tests/ compares it with independent solutions.
 
-use super::{Converged, TOLERANCE};
+use super::{Converged, TOLERANCE, Wanted, Work};
 use crate::blade::Blade;
 use crate::dof::Dof;
 use crate::lagrange::{Energies, assemble};
@@ -8,7 +8,7 @@ use crate::modes::solve;
 use crate::numerics::quadrature::GaussRules;
 use alloc::vec::Vec;
 
-fn stepped() -> Blade {
+pub(super) fn stepped() -> Blade {
     let text = r#"
         schema = "bladefan-blade/1"
         name = "stepped"
@@ -28,6 +28,10 @@ fn stepped() -> Blade {
     crate::formats::read(text, crate::formats::Format::Toml).unwrap().blade
 }
 
+pub(super) fn converged(blade: &Blade, dof: Dof, speed_squared: f64, count: usize) -> Converged {
+    Converged::new(blade, dof, &Wanted::at(speed_squared, count), &GaussRules::new(), &mut Work::default()).unwrap()
+}
+
 fn frequencies(found: &Converged, speed: f64, count: usize) -> Vec<f64> {
     solve(found.matrices(), speed * speed, count).unwrap().iter().map(|mode| mode.frequency).collect()
 }
@@ -36,7 +40,7 @@ fn frequencies(found: &Converged, speed: f64, count: usize) -> Vec<f64> {
 #[test]
 fn a_stepped_blade_at_rest() {
     let rules = GaussRules::new();
-    let found = Converged::new(&stepped(), Dof::Flap, (0.0, 0.0), 5, &rules).unwrap();
+    let found = Converged::new(&stepped(), Dof::Flap, &Wanted::at(0.0, 5), &rules, &mut Work::default()).unwrap();
     assert!(found.error() < TOLERANCE);
     let exact = [
         51.261_342_728_553_77,
@@ -55,11 +59,19 @@ fn a_stepped_blade_at_rest() {
 fn a_range_is_as_good_as_each_of_its_speeds() {
     let (rules, blade) = (GaussRules::new(), stepped());
     for dof in Dof::ALL {
-        let range = Converged::new(&blade, dof, (0.0, 150.0 * 150.0), 5, &rules).unwrap();
+        let range = Converged::new(
+            &blade,
+            dof,
+            &Wanted { range: (0.0, 150.0 * 150.0), count: 5, also_at: &[] },
+            &rules,
+            &mut Work::default(),
+        )
+        .unwrap();
         assert!(range.error() < TOLERANCE, "{dof}: {:e}", range.error());
         assert!(range.matrices().count() <= 20, "{dof}: {}", range.matrices().count());
         for speed in [0.0, 20.0, 77.0, 105.0, 140.0, 150.0] {
-            let single = Converged::new(&blade, dof, (speed * speed, speed * speed), 5, &rules).unwrap();
+            let single =
+                Converged::new(&blade, dof, &Wanted::at(speed * speed, 5), &rules, &mut Work::default()).unwrap();
             let pairs = frequencies(&range, speed, 5).into_iter().zip(frequencies(&single, speed, 5));
             for (of_range, own) in pairs {
                 assert!((of_range / own - 1.0).abs() < TOLERANCE, "{dof} at {speed}: {of_range} {own}");
@@ -73,7 +85,14 @@ fn a_range_is_as_good_as_each_of_its_speeds() {
 fn sampled_functions_have_the_same_matrices() {
     let (rules, blade) = (GaussRules::new(), stepped());
     for dof in Dof::ALL {
-        let found = Converged::new(&blade, dof, (0.0, 1e4), 3, &rules).unwrap();
+        let found = Converged::new(
+            &blade,
+            dof,
+            &Wanted { range: (0.0, 1e4), count: 3, also_at: &[] },
+            &rules,
+            &mut Work::default(),
+        )
+        .unwrap();
         let functions = found.functions();
         let fields = crate::lagrange::Fields::sample(found.grid(), &functions);
         let rigid = crate::functions::AssumedFunctions::has_rigid_motion(&functions);

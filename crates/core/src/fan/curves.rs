@@ -10,11 +10,12 @@
 //! in ln(1 + Ω²/bend) with the nearest such point as the bend: it moves that point far away.
 
 use crate::lagrange::SystemMatrices;
-use crate::modes::{Mode, SolveError, eigenvalues};
+use crate::modes::{Mode, SolveError, eigenvalues, solve};
 use crate::numerics::chebyshev::{interpolate, node, slopes};
-use crate::numerics::scalar::{exp_m1, ln_1p};
+use crate::numerics::scalar::{exp_m1, ln_1p, maximum};
 use alloc::vec;
 use alloc::vec::Vec;
+use core::cell::{Cell, RefCell};
 
 /// Relative error of λ accepted between the nodes; ω has half of it.
 const TOLERANCE: f64 = 1e-10;
@@ -30,6 +31,8 @@ const LAST_DEGREE: usize = 32;
 const CHECKS: [f64; 2] = [0.013, 0.47];
 /// Most pieces; the last ones are taken as they are.
 const MOST_PIECES: usize = 64;
+/// Multiplications of an eigenproblem, by the cube of its order.
+const PER_CUBE: f64 = 15.0;
 /// Bounds of the bend of the scale as a share of the highest Ω²: outside them it is straight, or
 /// rest is all there is of it.
 const BEND: (f64, f64) = (1e-12, 1e3);
@@ -43,6 +46,8 @@ pub struct Curves {
     /// The first branch starts as a rigid motion, λ₁ = 0 at rest: λ₁/Ω² is interpolated, which
     /// stays away from 0.
     rigid: bool,
+    error: f64,
+    work: f64,
 }
 
 /// The scale t = ln(1 + s/bend) of s = Ω² on which the branches are smooth.
@@ -93,11 +98,72 @@ impl Curves {
     ///
     /// # Errors
     /// [`SolveError`].
-    pub fn fit(matrices: &SystemMatrices, at_rest: &[Mode], from: f64, to: f64) -> Result<Self, SolveError> {
-        let rigid = matrices.has_rigid_motion();
+    pub fn fit(matrices: &SystemMatrices, at_rest: &[Mode], from: f64, to: f64, work: f64) -> Result<Self, SolveError> {
+        let rigid = !matrices.rigid().is_empty();
+        let row = |s: f64| row(at_rest, s, rigid, || eigenvalues(matrices, s, at_rest.len()));
+        Self::through(at_rest.len(), rigid, Scale::new(at_rest, to), (from, to), limit(matrices, work), row)
+    }
+
+    /// The same with `error`, the relative error of a mode at Ω², looked at wherever the curves are solved
+    /// for: close enough for curves to pass through, so nothing can go wrong between. Returned are the
+    /// largest error of each of those Ω², and the curves; none where the error of one is above `poor`, as
+    /// soon as the range has been seen once.
+    ///
+    /// # Errors
+    /// [`SolveError`].
+    pub fn fit_checked(
+        matrices: &SystemMatrices,
+        at_rest: &[Mode],
+        (from, to): (f64, f64),
+        work: f64,
+        poor: f64,
+        error: impl Fn(&Mode, f64) -> f64,
+    ) -> Result<(Option<Self>, Vec<(f64, f64)>), SolveError> {
+        let rigid = !matrices.rigid().is_empty();
+        let checked = RefCell::new(Vec::new());
+        let check = |modes: &[Mode], s: f64| {
+            let worst = modes.iter().map(|mode| error(mode, s)).fold(0.0, maximum);
+            checked.borrow_mut().push((s, worst));
+        };
+        check(at_rest, 0.0);
+        let row = |s: f64| {
+            let seen = checked.borrow();
+            if seen.len() > 2 * FIRST_DEGREE && seen.iter().any(|(_, error)| !(*error <= poor)) {
+                return Err(Stop::Poor);
+            }
+            drop(seen);
+            row(at_rest, s, rigid, || {
+                let modes = solve(matrices, s, at_rest.len())?;
+                check(&modes, s);
+                Ok(modes.iter().map(|mode| mode.eigenvalue).collect())
+            })
+            .map_err(Stop::Solve)
+        };
         let scale = Scale::new(at_rest, to);
-        let row = |t: f64| row(matrices, at_rest, scale.speed_squared(t), rigid);
-        let mut pieces = Vec::new();
+        let curves = match Self::through(at_rest.len(), rigid, scale, (from, to), limit(matrices, work), row) {
+            Ok(curves) => Some(curves),
+            Err(Stop::Poor) => None,
+            Err(Stop::Solve(error)) => return Err(error),
+        };
+        Ok((curves, checked.into_inner()))
+    }
+
+    /// Curves through what `row` gives at any Ω²: a number for each branch.
+    fn through<E>(
+        branches: usize,
+        rigid: bool,
+        scale: Scale,
+        (from, to): (f64, f64),
+        limit: Limit,
+        row: impl Fn(f64) -> Result<Vec<f64>, E>,
+    ) -> Result<Self, E> {
+        let row = |t: f64| row(scale.speed_squared(t));
+        let mut curves = Self { scale, pieces: Vec::new(), branches, rigid, error: 0.0, work: 0.0 };
+        let evaluations = Cell::new(0_usize);
+        let row = |t: f64| {
+            evaluations.set(evaluations.get() + 1);
+            row(t)
+        };
         let mut waiting = vec![(scale.at(from), scale.at(to))];
         while let Some((from, to)) = waiting.pop() {
             let mut piece = Piece {
@@ -110,9 +176,12 @@ impl Curves {
                 let enough = coarse_error < TOLERANCE
                     || (coarse_error < COARSE_TOLERANCE && piece.error(from, to, row)? < TOLERANCE);
                 let middle = 0.5 * (from + to);
-                let last = pieces.len() + waiting.len() >= MOST_PIECES || middle <= from || middle >= to;
+                let last = curves.pieces.len() + waiting.len() >= limit.pieces || middle <= from || middle >= to;
                 if enough || (last && piece.nodes.len() > LAST_DEGREE) {
-                    pieces.push(piece);
+                    if !enough {
+                        curves.error = maximum(curves.error, piece.error(from, to, row)?);
+                    }
+                    curves.pieces.push(piece);
                     break;
                 }
                 if piece.nodes.len() > LAST_DEGREE {
@@ -122,7 +191,19 @@ impl Curves {
                 }
             }
         }
-        Ok(Self { scale, pieces, branches: at_rest.len(), rigid })
+        curves.work = limit.each * evaluations.get() as f64;
+        Ok(curves)
+    }
+
+    /// About how many multiplications the fit took.
+    pub fn work(&self) -> f64 {
+        self.work
+    }
+
+    /// The largest relative error of λ found where the curves were left as they are; 0 where they
+    /// reached their tolerance everywhere.
+    pub fn error(&self) -> f64 {
+        self.error
     }
 
     /// Number of branches.
@@ -130,7 +211,8 @@ impl Curves {
         self.branches
     }
 
-    /// λ of every branch at Ω² = `speed_squared` inside the range; never below 0.
+    /// λ of every branch at Ω² = `speed_squared` inside the range. Where λ is 0 the curve may lie below
+    /// by rounding.
     pub fn eigenvalues(&self, speed_squared: f64) -> Vec<f64> {
         let mut values = vec![0.0; self.branches];
         let t = self.scale.at(speed_squared);
@@ -142,7 +224,7 @@ impl Curves {
         {
             *first *= speed_squared;
         }
-        values.into_iter().map(|value| value.max(0.0)).collect()
+        values
     }
 
     fn piece(&self, t: f64) -> Option<&Piece> {
@@ -182,12 +264,7 @@ impl Piece {
     }
 
     /// Doubles the degree and returns the old interpolant's largest relative error at the new nodes.
-    fn refine(
-        &mut self,
-        from: f64,
-        to: f64,
-        row: impl Fn(f64) -> Result<Vec<f64>, SolveError>,
-    ) -> Result<f64, SolveError> {
+    fn refine<E>(&mut self, from: f64, to: f64, row: impl Fn(f64) -> Result<Vec<f64>, E>) -> Result<f64, E> {
         let degree = 2 * (self.nodes.len() - 1);
         let mut nodes = Vec::with_capacity(degree + 1);
         let mut rows = Vec::with_capacity(degree + 1);
@@ -199,7 +276,7 @@ impl Piece {
                 rows.push(self.rows[index / 2].clone());
             } else {
                 let exact = row(t)?;
-                worst = worst.max(self.difference(t, &exact));
+                worst = maximum(worst, self.difference(t, &exact));
                 rows.push(exact);
             }
         }
@@ -208,33 +285,159 @@ impl Piece {
     }
 
     /// The largest relative error at the check points.
-    fn error(&self, from: f64, to: f64, row: impl Fn(f64) -> Result<Vec<f64>, SolveError>) -> Result<f64, SolveError> {
+    fn error<E>(&self, from: f64, to: f64, row: impl Fn(f64) -> Result<Vec<f64>, E>) -> Result<f64, E> {
         CHECKS.iter().try_fold(0.0_f64, |worst, share| {
             let t = from + share * (to - from);
-            Ok(worst.max(self.difference(t, &row(t)?)))
+            Ok(maximum(worst, self.difference(t, &row(t)?)))
         })
     }
 
     fn difference(&self, t: f64, exact: &[f64]) -> f64 {
         let mut values = vec![0.0; exact.len()];
         interpolate(&self.nodes, &self.rows, t, &mut values);
-        values.iter().zip(exact).filter(|(_, e)| **e > 0.0).map(|(v, e)| (v / e - 1.0).abs()).fold(0.0, f64::max)
+        // A branch that stays at 0 has no relative error.
+        values.iter().zip(exact).filter(|(_, e)| **e != 0.0).map(|(v, e)| (v / e - 1.0).abs()).fold(0.0, maximum)
     }
+}
+
+/// Why a fit ends before its end.
+enum Stop {
+    Poor,
+    Solve(SolveError),
+}
+
+/// What a fit may take.
+#[derive(Clone, Copy, Debug)]
+struct Limit {
+    pieces: usize,
+    /// Multiplications of one eigenproblem.
+    each: f64,
+}
+
+fn limit(matrices: &SystemMatrices, work: f64) -> Limit {
+    let n = matrices.count() as f64;
+    let each = PER_CUBE * n * n * n;
+    // The largest piece has been solved at twice its degree and at the ends of the check.
+    let evaluations = work / each;
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 1 and 64")]
+    let pieces = (evaluations / (2 * LAST_DEGREE + 3) as f64).clamp(1.0, MOST_PIECES as f64) as usize;
+    Limit { pieces, each }
 }
 
 /// What is interpolated: every λ at Ω² = `s`, the rigid branch's divided by Ω². At rest that ratio
 /// is dλ/dΩ², the Southwell coefficient.
-fn row(matrices: &SystemMatrices, at_rest: &[Mode], s: f64, rigid: bool) -> Result<Vec<f64>, SolveError> {
+fn row(
+    at_rest: &[Mode],
+    s: f64,
+    rigid: bool,
+    solved: impl Fn() -> Result<Vec<f64>, SolveError>,
+) -> Result<Vec<f64>, SolveError> {
     if s <= 0.0 {
         let value = |(index, mode): (usize, &Mode)| {
-            if rigid && index == 0 { mode.southwell.max(0.0) } else { mode.eigenvalue }
+            if rigid && index == 0 { maximum(mode.southwell, 0.0) } else { mode.eigenvalue }
         };
         return Ok(at_rest.iter().enumerate().map(value).collect());
     }
-    let mut values = eigenvalues(matrices, s, at_rest.len())?;
+    let mut values = solved()?;
     if let Some(first) = values.first_mut().filter(|_| rigid) {
         // 0 at every speed where nothing pulls, else dλ/dΩ² at small ones.
         *first /= s;
     }
     Ok(values)
+}
+
+#[cfg(test)]
+impl Curves {
+    /// Of made-up branches λ(Ω²).
+    pub(super) fn of_functions(branches: usize, (from, to): (f64, f64), row: impl Fn(f64) -> Vec<f64>) -> Self {
+        let row = |s: f64| -> Result<Vec<f64>, core::convert::Infallible> { Ok(row(s)) };
+        let limit = Limit { pieces: MOST_PIECES, each: 1.0 };
+        Self::through(branches, false, Scale { bend: to }, (from, to), limit, row)
+            .unwrap_or_else(|never| match never {})
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use core::cell::Cell;
+
+    #[test]
+    fn smooth_branches_are_met_between_few_nodes() {
+        let solved = Cell::new(0);
+        let row = |s: f64| {
+            solved.set(solved.get() + 1);
+            vec![2.0 + s, 40.0 + 3.0 * s - 7.0 / (1.0 + 0.01 * s)]
+        };
+        let curves = Curves::of_functions(2, (0.0, 300.0), row);
+        assert!(solved.get() < 40, "{}", solved.get());
+        assert_eq!((curves.branches(), curves.error()), (2, 0.0));
+        for i in 0..=1000 {
+            let s = 0.3 * f64::from(i);
+            for (value, exact) in curves.eigenvalues(s).iter().zip(row(s)) {
+                assert!((value / exact - 1.0).abs() < TOLERANCE, "{s}: {value} {exact}");
+            }
+        }
+        let (points, h) = (curves.points(100.0), 1e-3);
+        let (above, below) = (curves.eigenvalues(100.0 + h), curves.eigenvalues(100.0 - h));
+        for (branch, point) in points.iter().enumerate() {
+            let slope = (above[branch] - below[branch]) / (2.0 * h);
+            assert!((point.slope / slope - 1.0).abs() < 1e-5, "{} {slope}", point.slope);
+        }
+    }
+
+    #[test]
+    fn negative_branches_stay_negative() {
+        let curves = Curves::of_functions(1, (0.0, 10.0), |s| vec![s - 4.0]);
+        for (s, exact) in [(0.0, -4.0), (1.7, -2.3), (9.0, 5.0)] {
+            assert!((curves.eigenvalues(s)[0] - exact).abs() < 1e-9, "{s}");
+        }
+    }
+
+    /// Nodes no number of which follows a corner: pieces close in on it, and what is left is told.
+    #[test]
+    fn what_no_polynomial_follows_is_told() {
+        let corner = Curves::of_functions(1, (0.0, 10.0), |s| vec![1.0 + (s - 3.3).abs()]);
+        assert!(corner.pieces.len() > 10);
+        assert!((corner.eigenvalues(5.0)[0] - 2.7).abs() < 1e-9);
+        let comb = Curves::of_functions(1, (0.0, 10.0), |s| vec![2.0 + (1e4 * s).sin()]);
+        assert!(comb.error() > TOLERANCE, "{}", comb.error());
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_not_converged() {
+        let solved = Cell::new(0);
+        let curves = Curves::of_functions(2, (0.0, 10.0), |s| {
+            solved.set(solved.get() + 1);
+            vec![1.0 + s, if s > 5.0 { f64::NAN } else { 1.0 }]
+        });
+        assert!(!(curves.error() <= TOLERANCE), "{}", curves.error());
+        assert!(solved.get() < 70 * MOST_PIECES * 2, "{}", solved.get());
+    }
+
+    #[test]
+    fn one_speed_is_a_range_too() {
+        let curves = Curves::of_functions(1, (7.0, 7.0), |s| vec![s * s]);
+        assert_eq!(curves.eigenvalues(7.0), [curves.pieces[0].rows[0][0]]);
+        assert!((curves.eigenvalues(7.0)[0] - 49.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_straight_scale_and_one_that_bends_at_once_are_held_to_the_range() {
+        let mode = |eigenvalue: f64, southwell: f64| Mode {
+            eigenvalue,
+            frequency: eigenvalue.sqrt(),
+            coordinates: nalgebra::DVector::zeros(1),
+            southwell,
+            residual: 0.0,
+        };
+        // Lines 1 + s and 11 + 2 s meet at s = −10.
+        assert_eq!(Scale::new(&[mode(1.0, 1.0), mode(11.0, 2.0)], 100.0).bend, 10.0);
+        assert_eq!(Scale::new(&[mode(1.0, 1.0)], 100.0).bend, 1e5);
+        assert_eq!(Scale::new(&[mode(1.0, 1.0), mode(1.0 + 1e-12, 1e9)], 100.0).bend, 1e-10);
+        let scale = Scale { bend: 10.0 };
+        for s in [0.0, 1e-9, 3.0, 1e6] {
+            assert!((scale.speed_squared(scale.at(s)) - s).abs() <= 1e-15 * 16.0 * s);
+        }
+    }
 }

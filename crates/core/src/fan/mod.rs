@@ -1,9 +1,9 @@
-//! Frequencies over a range of rotor speeds: curves, and their crossings with the nP rays.
+//! Frequencies over a range of rotor speeds: curves, and where they cross the nP rays.
 
 mod between;
-mod crossings;
 mod curves;
+mod rays;
 
 pub use between::between;
-pub use crossings::{RayCrossing, Rays, meet_rays};
 pub use curves::Curves;
+pub use rays::{RayCrossing, Rays, meet_rays};

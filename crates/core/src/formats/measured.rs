@@ -15,6 +15,12 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 /// The columns, in the order of [`Columns`].
 const COLUMNS: [&str; 4] = ["label", "speed", "frequency", "source"];
 
+/// The mark at the beginning of a line that is a comment.
+const COMMENT: u8 = b'#';
+
+/// Most points: as many as a fan chart may have rotor speeds.
+const MOST: usize = 100_000;
+
 /// Where each column of [`COLUMNS`] stands, and the factors of speed and frequency to rad/s.
 struct Columns {
     place: [usize; 4],
@@ -24,8 +30,8 @@ struct Columns {
 }
 
 /// Reads measured points: a header row with label, speed, frequency and source in any order, units
-/// as in `speed [rpm]` (rad/s where there are none), then one point per row. Lines that begin with
-/// `#` are comments.
+/// as in `speed [rpm]` (rad/s where there are none), then one point per row, at most 100 000. Lines
+/// that begin with `#` are comments.
 ///
 /// # Errors
 /// Every fault, with line and column; paths are `header.speed`, `points[0].label` and the like.
@@ -35,18 +41,28 @@ pub fn read(text: &str) -> Result<Vec<MeasuredPoint>, Faults> {
     let mut faults = Vec::new();
     let mut columns = None;
     let mut row = 0;
+    let mut beyond = None;
     let mut reader = ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)
-        .comment(Some(b'#'))
+        .comment(Some(COMMENT))
         .trim(Trim::All)
         .from_reader(text.as_bytes());
     for record in reader.records() {
         // The text is UTF-8 and rows may have any length: nothing else can go wrong.
         let Ok(record) = record else { continue };
-        let mut row_faults = Row { text, at: start(&record), faults: &mut faults };
+        let at = start(text, &record);
+        if at == text.len() {
+            // A comment at the end, without a line end: the library makes an empty row of it.
+            continue;
+        }
+        let mut row_faults = Row { text, at, faults: &mut faults };
         if let Some(columns) = &columns {
-            points.extend(row_faults.point(row, &record, columns));
+            if row < MOST {
+                points.extend(row_faults.point(row, &record, columns));
+            } else {
+                beyond.get_or_insert(at);
+            }
             row += 1;
         } else {
             match row_faults.header(&record) {
@@ -61,11 +77,26 @@ pub fn read(text: &str) -> Result<Vec<MeasuredPoint>, Faults> {
         let fault = Fault::new(FaultCode::Missing, "header", None, message, message);
         faults.push(Placed { at: Some(0), fault });
     }
+    if beyond.is_some() {
+        let rule = format!("must be at most {MOST}");
+        let fault =
+            Fault::new(FaultCode::Length, "points", Some(row.to_string()), &rule, format!("{rule} (are {row})"));
+        faults.push(Placed { at: beyond, fault });
+    }
     if faults.is_empty() { Ok(points) } else { Err(in_order(text, &faults).into()) }
 }
 
-fn start(record: &StringRecord) -> usize {
-    record.position().and_then(|position| position.byte().try_into().ok()).unwrap_or(0)
+/// The byte at which a row begins. What the library says is where the row before ended: empty lines
+/// and comments may still stand between the two.
+fn start(text: &str, record: &StringRecord) -> usize {
+    let mut at = record.position().and_then(|position| position.byte().try_into().ok()).unwrap_or(0);
+    loop {
+        match text.as_bytes().get(at..) {
+            Some([b'\n' | b'\r', ..]) => at += 1,
+            Some(rest @ [COMMENT, ..]) => at += rest.split(|byte| *byte == b'\n').next().map_or(0, <[u8]>::len),
+            _ => return at,
+        }
+    }
 }
 
 /// One row of the text.
@@ -174,22 +205,75 @@ impl Row<'_, '_> {
     }
 }
 
-/// The byte at which a field of the row at `at` begins, blanks skipped. A field may be quoted; a
-/// quote inside quotes is doubled.
+/// The byte at which a field of the row at `at` begins, blanks skipped; the row's beginning for a
+/// field that it does not have. A field that begins with a quote ends with one, and a quote inside is
+/// doubled; elsewhere a quote is a letter like any other.
 fn field_start(text: &str, at: usize, field: usize) -> usize {
-    let Some(row) = text.get(at..) else { return text.len() };
-    let (mut commas, mut quoted) = (0, false);
+    let row = text.get(at..).unwrap_or_default();
+    let (mut commas, mut quoted, mut may_open) = (0, false, true);
     for (i, c) in row.char_indices() {
-        if commas == field && (c == '"' || !c.is_whitespace()) {
+        let ends = matches!(c, '\n' | '\r') && !quoted;
+        if commas == field && (ends || !c.is_whitespace()) {
             return at + i;
         }
         match c {
-            '"' => quoted = !quoted,
-            ',' if !quoted => commas += 1,
-            // A field that the row does not have.
-            '\n' if !quoted && i > 0 => return at,
-            _ => {}
+            _ if ends => return at,
+            '"' if quoted => (quoted, may_open) = (false, true),
+            '"' if may_open => quoted = true,
+            ',' if !quoted => (commas, may_open) = (commas + 1, true),
+            _ => may_open = false,
         }
     }
-    at
+    if commas == field { text.len() } else { at }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HEADER: &str = "label,speed,frequency,source\n";
+
+    /// Places and paths of the faults.
+    fn faults(text: &str) -> Vec<String> {
+        let faults = read(text).unwrap_err();
+        let place = |fault: &Fault| format!("{}:{} {}", fault.line.unwrap(), fault.column.unwrap(), fault.path);
+        faults.iter().map(place).collect()
+    }
+
+    #[test]
+    fn comments_and_empty_lines_do_not_move_faults() {
+        let text = format!("# a\n#b, \"c\n{HEADER}\n# d\n\r\n# e\n1F,x,2,me\n# f\n1F,1,y,me\n");
+        assert_eq!(faults(&text), ["8:4 points[0].speed", "10:6 points[1].frequency"]);
+        assert_eq!(faults("# a\n\n  label, pace,frequency,source\n"), ["3:3 header.speed", "3:10 header[1]"]);
+        let text = format!("# a\r\n{HEADER}# b\r\n1F,1,2\r\n# c");
+        assert_eq!(faults(&text), ["4:1 points[0]"]);
+    }
+
+    #[test]
+    fn quotes_part_fields_only_where_they_begin_one() {
+        let header = "source,label,speed,frequency\n";
+        for source in ["5\" pipe", "\"a, \"\"b\"\"\"", "\"a\"b\"", " \"a\""] {
+            let row = format!("{source},1F,1,x\n");
+            let column = row.find('x').unwrap() + 1;
+            assert_eq!(faults(&format!("{header}{row}")), [format!("2:{column} points[0].frequency")], "{source}");
+        }
+        let text = format!("{header}\"two\nlines\",1F,1,x\n");
+        assert_eq!(faults(&text), ["3:13 points[0].frequency"], "a line end inside quotes");
+    }
+
+    #[test]
+    fn a_field_without_a_letter_has_a_place() {
+        assert_eq!(faults("label,speed,frequency,source,\n"), ["1:30 header[4]"]);
+        assert_eq!(faults("label,speed,frequency,source, "), ["1:31 header[4]"]);
+    }
+
+    #[test]
+    fn points_are_limited_in_number() {
+        let rows = |count: usize| format!("{HEADER}# the points\n{}", "1F,1,2,me\n".repeat(count));
+        assert_eq!(read(&rows(MOST)).unwrap().len(), MOST);
+        let refused = read(&rows(MOST + 2)).unwrap_err();
+        let texts: Vec<String> = refused.iter().map(ToString::to_string).collect();
+        assert_eq!(texts, ["100003:1: points: must be at most 100000 (are 100002)"]);
+        assert_eq!(refused[0].value.as_deref(), Some("100002"), "the value");
+    }
 }

@@ -1,7 +1,6 @@
 //! Where faults stand in the text, and which of them only follow from others.
 
 use crate::fault::{Fault, FaultCode, Faults};
-use crate::order::order;
 use alloc::collections::BTreeSet;
 use alloc::format;
 use alloc::string::String;
@@ -17,14 +16,14 @@ pub(super) struct Placed {
 /// Orders faults by place and gives each its line and column, both from 1, columns in characters.
 pub(super) fn in_order(text: &str, faults: &[Placed]) -> Vec<Fault> {
     // Those without a place first.
-    let places: Vec<f64> = faults.iter().map(|placed| placed.at.map_or(-1.0, |at| at as f64)).collect();
+    let mut ordered = faults.to_vec();
+    ordered.sort_by_key(|placed| placed.at);
     let (mut line, mut column, mut reached) = (1_u32, 1_u32, 0);
     let mut rest = text.chars();
     // One walk through the text for all faults, which may be many on one long line.
-    order(&places)
+    ordered
         .into_iter()
-        .map(|index| {
-            let Placed { at, mut fault } = faults[index].clone();
+        .map(|Placed { at, mut fault }| {
             let Some(at) = at else { return fault };
             while reached < at.min(text.len()) {
                 let Some(c) = rest.next() else { break };

@@ -1,13 +1,15 @@
 //! Assumed deformation functions: what a mode shape is a sum of.
 
 mod bending;
+mod deformation;
 mod family;
 mod piecewise;
 mod torsion;
 
 pub use bending::{BendingRoot, ClassicalBending};
+pub use deformation::Deformation;
 pub use family::BasisFamily;
-pub use piecewise::{Deformation, MOST_ORDER, Mesh, PiecewiseFunctions};
+pub use piecewise::{MOST_ORDER, Mesh, PiecewiseFunctions};
 pub use torsion::{ClassicalTorsion, TorsionRoot};
 
 use alloc::vec;

@@ -1,13 +1,12 @@
 //! Piecewise polynomials: functions that may bend where the stiffness steps.
 //!
 //! On each element the strain (curvature in bending, twist rate in torsion) is a sum of Legendre
-//! polynomials P_0 … P_{b−1}, without any condition between elements; slope and deflection, or
-//! twist, follow by integration from the root. These are the hierarchical Hermite–Legendre
+//! polynomials P_0 … P_{b−1}, without any condition between elements; rotation and displacement follow by integration from the root. These are the hierarchical Hermite–Legendre
 //! functions (cubics and bubbles, continuous with their slope) and the linear–Legendre functions of
 //! the finite-element literature (Szabó & Babuška, Finite Element Analysis, 1991) in other
 //! coordinates: no function is stated by absolute positions, so short elements cost no digits.
 
-use super::{AssumedFunctions, Sample};
+use super::{AssumedFunctions, Deformation, Sample};
 use crate::numerics::legendre::{Legendre, evaluate};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -53,15 +52,6 @@ impl Mesh {
     }
 }
 
-/// What the deformation is of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Deformation {
-    /// Strain φ″, turn φ′, motion φ.
-    Bending,
-    /// Strain θ′, turn and motion θ.
-    Torsion,
-}
-
 /// Some functions of a mesh, each given by the coefficients of its strain.
 #[derive(Clone, Debug)]
 pub struct PiecewiseFunctions {
@@ -70,9 +60,9 @@ pub struct PiecewiseFunctions {
     rigid: bool,
     /// Function by function, element by element: strain coefficients [1/m² or 1/m].
     coefficients: DMatrix<f64>,
-    /// Turn and motion at the inner end of each element (elements × functions).
-    turn: DMatrix<f64>,
-    motion: DMatrix<f64>,
+    /// Rotation and displacement at the inner end of each element (elements × functions).
+    rotation: DMatrix<f64>,
+    displacement: DMatrix<f64>,
 }
 
 impl PiecewiseFunctions {
@@ -80,12 +70,12 @@ impl PiecewiseFunctions {
     /// before them, where `rigid`, the rigid motion φ = x or θ = 1.
     pub fn new(mesh: Mesh, deformation: Deformation, rigid: bool, coefficients: DMatrix<f64>) -> Self {
         let (elements, functions) = (mesh.orders.len(), coefficients.ncols());
-        let mut turn = DMatrix::zeros(elements, functions);
-        let mut motion = DMatrix::zeros(elements, functions);
+        let mut rotation = DMatrix::zeros(elements, functions);
+        let mut displacement = DMatrix::zeros(elements, functions);
         for function in 0..functions {
             let (mut t, mut u, mut first) = (0.0, 0.0, 0);
             for (e, (_, length, order)) in mesh.elements().enumerate() {
-                (turn[(e, function)], motion[(e, function)]) = (t, u);
+                (rotation[(e, function)], displacement[(e, function)]) = (t, u);
                 let c = coefficients[(first, function)];
                 let next = if order > 1 { coefficients[(first + 1, function)] } else { 0.0 };
                 u += length * (t + 0.5 * length * (c - next / 3.0));
@@ -93,7 +83,7 @@ impl PiecewiseFunctions {
                 first += order;
             }
         }
-        Self { mesh, deformation, rigid, coefficients, turn, motion }
+        Self { mesh, deformation, rigid, coefficients, rotation, displacement }
     }
 }
 
@@ -133,22 +123,24 @@ impl AssumedFunctions for PiecewiseFunctions {
         let mut polynomials = vec![Legendre::default(); self.mesh.orders[e]];
         evaluate(((x - from) / half - 1.0).clamp(-1.0, 1.0), &mut polynomials);
         for (function, sample) in elastic.iter_mut().enumerate() {
-            let (mut strain, mut turn, mut motion) = (0.0, 0.0, 0.0);
+            let (mut strain, mut rotation, mut displacement) = (0.0, 0.0, 0.0);
             for (j, p) in polynomials.iter().enumerate() {
                 let c = self.coefficients[(first + j, function)];
                 strain += c * p.value;
-                turn += c * p.first;
-                motion += c * p.second;
+                rotation += c * p.first;
+                displacement += c * p.second;
             }
-            let turn = self.turn[(e, function)] + half * turn;
+            let rotation = self.rotation[(e, function)] + half * rotation;
             *sample = match self.deformation {
                 Deformation::Bending => Sample {
-                    value: self.motion[(e, function)] + (x - from) * self.turn[(e, function)] + half * half * motion,
-                    slope: turn,
+                    value: self.displacement[(e, function)]
+                        + (x - from) * self.rotation[(e, function)]
+                        + half * half * displacement,
+                    slope: rotation,
                     curvature: strain,
                 },
                 // The second derivative of a twist is nobody's energy.
-                Deformation::Torsion => Sample { value: turn, slope: strain, curvature: 0.0 },
+                Deformation::Torsion => Sample { value: rotation, slope: strain, curvature: 0.0 },
             };
         }
     }

@@ -1,28 +1,28 @@
 //! Mass, elastic, spring and centrifugal matrices (paper Eq. 42–47, 75–77), once per blade.
 
-use super::grid::{Fields, Grid, dot, gram};
-use crate::blade::{Blade, RootCondition};
+use super::fields::{Fields, gram};
+use super::grid::Grid;
+use crate::blade::RootCondition;
 use crate::dof::Dof;
-use crate::functions::{AssumedFunctions, BendingRoot, ClassicalBending, ClassicalTorsion, TorsionRoot};
-use crate::numerics::quadrature::GaussRules;
-use alloc::boxed::Box;
+use crate::numerics::vector::dot;
+use alloc::vec;
 use alloc::vec::Vec;
 use nalgebra::DMatrix;
 
-/// The matrices of one degree of freedom; (K + F + Ω² C − ω² M) q = 0 (Eq. 79–80). All symmetric,
-/// n × n for n assumed functions.
+/// The matrices of one system; (K + F + Ω² C − ω² M) q = 0 (Eq. 79–80). All symmetric, n × n for n
+/// assumed functions of all its degrees of freedom.
 #[derive(Clone, Debug)]
 pub struct SystemMatrices {
-    dof: Dof,
+    dofs: &'static [Dof],
     mass: DMatrix<f64>,
     stiffness: DMatrix<f64>,
     centrifugal: DMatrix<f64>,
-    rigid: bool,
+    rigid: Vec<usize>,
 }
 
 impl SystemMatrices {
-    /// The matrices of sums of the functions, one column of `coordinates` per sum; where there is a
-    /// rigid motion, it stays the first alone.
+    /// The matrices of sums of the functions, one column of `coordinates` per sum; rigid motions stay
+    /// where they are and alone.
     #[must_use]
     pub fn reduced(&self, coordinates: &DMatrix<f64>) -> Self {
         let project = |matrix: &DMatrix<f64>| {
@@ -31,17 +31,17 @@ impl SystemMatrices {
             product
         };
         Self {
-            dof: self.dof,
+            dofs: self.dofs,
             mass: project(&self.mass),
             stiffness: project(&self.stiffness),
             centrifugal: project(&self.centrifugal),
-            rigid: self.rigid,
+            rigid: self.rigid.clone(),
         }
     }
 
-    /// The degree of freedom.
-    pub fn dof(&self) -> Dof {
-        self.dof
+    /// The degrees of freedom that feel one another.
+    pub fn dofs(&self) -> &'static [Dof] {
+        self.dofs
     }
 
     /// Number of assumed functions n.
@@ -65,9 +65,9 @@ impl SystemMatrices {
         &self.centrifugal
     }
 
-    /// Whether the first function is a rigid motion without strain energy: a free root.
-    pub fn has_rigid_motion(&self) -> bool {
-        self.rigid
+    /// Functions that are a rigid motion without strain energy, one per free root, ascending.
+    pub fn rigid(&self) -> &[usize] {
+        &self.rigid
     }
 
     /// The matrices of the first `count` functions alone.
@@ -76,36 +76,13 @@ impl SystemMatrices {
         let n = count.min(self.count());
         let lead = |matrix: &DMatrix<f64>| matrix.view((0, 0), (n, n)).into_owned();
         Self {
-            dof: self.dof,
+            dofs: self.dofs,
             mass: lead(&self.mass),
             stiffness: lead(&self.stiffness),
             centrifugal: lead(&self.centrifugal),
-            rigid: self.rigid,
+            rigid: self.rigid.iter().copied().filter(|&function| function < n).collect(),
         }
     }
-}
-
-/// The paper's assumed functions for one degree of freedom of a blade: `count` modes of the
-/// uniform, non-rotating blade with the properties at mid-span (Eq. 17–28).
-pub fn classical_functions(blade: &Blade, dof: Dof, count: usize) -> Box<dyn AssumedFunctions> {
-    let root = blade.root(dof);
-    let length = blade.radius() - root.offset;
-    let middle = root.offset + 0.5 * length;
-    let stiffness = blade.stiffness(dof).at(middle);
-    if dof == Dof::Torsion {
-        let condition = match root.condition {
-            RootCondition::Clamped => TorsionRoot::Clamped,
-            RootCondition::Free => TorsionRoot::Free,
-            RootCondition::Spring(spring) => TorsionRoot::Spring(spring * length / stiffness),
-        };
-        return Box::new(ClassicalTorsion::new(condition, count, length));
-    }
-    let condition = match root.condition {
-        RootCondition::Clamped => BendingRoot::Clamped,
-        RootCondition::Free => BendingRoot::Free,
-        RootCondition::Spring(spring) => BendingRoot::Spring(spring * length / stiffness),
-    };
-    Box::new(ClassicalBending::new(condition, count, length, blade.mass().at(middle)))
 }
 
 /// Energies of some functions (n × n each), before what the degree of freedom makes of them.
@@ -114,13 +91,13 @@ pub struct Energies {
     /// ∫ J u_i u_j dr.
     pub inertia: DMatrix<f64>,
     /// ∫ D e_i e_j dr.
-    pub strain: DMatrix<f64>,
-    /// ∫ P t_i t_j dr.
-    pub pull: DMatrix<f64>,
+    pub elastic: DMatrix<f64>,
+    /// ∫ P t_i t_j dr, per Ω².
+    pub centrifugal: DMatrix<f64>,
     /// ∫ J u_j dr.
     pub first_moment: Vec<f64>,
-    /// The turn at the root.
-    pub root_turn: Vec<f64>,
+    /// The rotation at the root.
+    pub root_rotation: Vec<f64>,
 }
 
 impl Energies {
@@ -128,26 +105,27 @@ impl Energies {
     pub fn new(grid: &Grid, fields: &Fields) -> Self {
         let masses: Vec<f64> = grid.weighted(grid.inertia()).collect();
         Self {
-            inertia: gram(&fields.motion, grid.weighted(grid.inertia())),
-            strain: gram(&fields.strain, grid.weighted(grid.stiffness())),
-            pull: gram(&fields.turn, grid.weighted(grid.pull())),
-            first_moment: fields.motion.as_slice().chunks_exact(grid.len()).map(|u| dot(&masses, u)).collect(),
-            root_turn: fields.root_turn.clone(),
+            inertia: gram(&fields.displacement, grid.weighted(grid.inertia())),
+            elastic: gram(&fields.strain, grid.weighted(grid.elastic())),
+            centrifugal: gram(&fields.rotation, grid.weighted(grid.centrifugal())),
+            first_moment: fields.displacement.as_slice().chunks_exact(grid.len()).map(|u| dot(&masses, u)).collect(),
+            root_rotation: fields.root_rotation.clone(),
         }
     }
 }
 
-/// The matrices of one degree of freedom; `rigid` says that the first function is the rigid motion
+/// The matrices of a system of one degree of freedom; `rigid` says that the first function is the rigid motion
 /// (φ = sx or θ = s), whose strain energy is exactly 0.
 pub fn assemble(grid: &Grid, energies: Energies, rigid: bool) -> SystemMatrices {
-    let Energies { inertia: mass, strain: mut stiffness, pull: mut centrifugal, first_moment, root_turn } = energies;
-    if grid.dof() == Dof::Lag {
+    let Energies { inertia: mass, elastic: mut stiffness, mut centrifugal, first_moment, root_rotation } = energies;
+    if grid.system().shift(1.0) > 0.0 {
+        // The in-plane term, −m v v: the whole inertia.
         centrifugal -= &mass;
         if rigid {
             // φ₁ = s x: the tension's work is ∫ T s φ_j′ dr = s ∫ m r φ_j dr (by parts), the mass's
             // s ∫ m x φ_j dr; the difference is exactly the offset times s ∫ m φ_j dr. Written so
             // nothing cancels, and a central hinge is exactly free at every speed.
-            let factor = grid.root() * root_turn.first().copied().unwrap_or(0.0);
+            let factor = grid.root() * root_rotation.first().copied().unwrap_or(0.0);
             for (j, moment) in first_moment.iter().enumerate() {
                 let row = factor * moment;
                 (centrifugal[(j, 0)], centrifugal[(0, j)]) = (row, row);
@@ -155,19 +133,12 @@ pub fn assemble(grid: &Grid, energies: Energies, rigid: bool) -> SystemMatrices 
         }
     }
     if let RootCondition::Spring(spring) = grid.condition() {
-        for (j, b) in root_turn.iter().enumerate() {
-            for (i, a) in root_turn.iter().enumerate() {
+        for (j, b) in root_rotation.iter().enumerate() {
+            for (i, a) in root_rotation.iter().enumerate() {
                 stiffness[(i, j)] += spring * a * b;
             }
         }
     }
-    let rigid = rigid && grid.condition() == RootCondition::Free;
-    SystemMatrices { dof: grid.dof(), mass, stiffness, centrifugal, rigid }
-}
-
-/// (2/l) ∫ φ φ dr (n × n) of torsion: a mode with qᵀ N q = 1 has ∫ X² dr = l/2 (Eq. 87).
-pub fn torsion_norm(blade: &Blade, functions: &dyn AssumedFunctions, rules: &GaussRules) -> DMatrix<f64> {
-    let grid = Grid::for_functions(blade, Dof::Torsion, functions, rules, 0);
-    let per_half_length = 2.0 / (blade.radius() - grid.root());
-    gram(&Fields::sample(&grid, functions).motion, grid.weight().iter().map(|weight| per_half_length * weight))
+    let rigid = if rigid && grid.condition() == RootCondition::Free { vec![0] } else { Vec::new() };
+    SystemMatrices { dofs: grid.system().dofs, mass, stiffness, centrifugal, rigid }
 }

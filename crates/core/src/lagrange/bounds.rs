@@ -3,10 +3,12 @@
 //! Methods, 1990). A blade is statically determinate, so the lower bounds come from the same
 //! functions by integrating their loads from the tip.
 
-use super::gap::{FromTip, moment_gaps};
-use super::grid::{Fields, Grid};
+use super::assembly::Energies;
+use super::equilibrium::FromTip;
+use super::fields::Fields;
+use super::grid::Grid;
+use super::residual::residual_moments;
 use crate::blade::RootCondition;
-use crate::dof::Dof;
 use crate::numerics::eigen::lowest;
 use crate::numerics::scalar::sqrt;
 use alloc::vec;
@@ -19,6 +21,9 @@ const SEPARATION: f64 = 0.8;
 /// Modes with less than this part of the last one's x/(1 − x) are bounded apart from it: the
 /// eigensolver cannot tell them from 0 beside it.
 const SPREAD: f64 = 1e-10;
+/// Relative distance of an eigenvalue from the Rayleigh quotient of its own fields from which on it is
+/// not taken for the better one.
+const UNSOUND: f64 = 1e-11;
 /// Relative rounding of an energy that is a sum of squares over the points of a blade, generously.
 const ROUNDING: f64 = 1e-13;
 
@@ -34,6 +39,9 @@ pub struct Interval {
 /// Intervals of the lowest modes of one degree of freedom.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bounds {
+    /// The eigenvalues that are bounded [rad²/s²]: those given, or better ones where their own fields
+    /// give others.
+    pub eigenvalues: Vec<f64>,
     /// One per mode.
     pub intervals: Vec<Interval>,
     /// ρ, known to lie above the last mode that has a lower bound of its own and not above the next
@@ -41,37 +49,57 @@ pub struct Bounds {
     pub separation: Option<f64>,
 }
 
-/// Bounds of the modes with eigenvalues `ritz` and these fields at Ω² = `speed_squared`.
-/// `reference` holds the converged eigenvalues of as many modes and one more, all of ω² [rad²/s²].
-/// `slack` ≥ 1 multiplies the complementary energy where its quadrature is not exact.
+/// The converged eigenvalues of as many modes as are bounded and one more.
+#[derive(Clone, Debug)]
+pub struct Reference {
+    /// ω² [rad²/s²], ascending.
+    pub eigenvalues: Vec<f64>,
+    /// How near below each of them, as a share of it, no eigenvalue was missed: counted, and more than
+    /// its own error. 1 or more leaves all modes without bounds.
+    pub margin: f64,
+}
+
+/// Bounds of the modes with eigenvalues `ritz` [rad²/s²] and these fields at Ω² = `speed_squared`.
+/// `slack` ≥ 1 multiplies the complementary energy where its quadrature is not exact. `None` where
+/// nothing separates the modes from those above.
 pub fn bounds(
     grid: &Grid,
     from_tip: &FromTip,
     fields: &Fields,
     ritz: &[f64],
-    reference: &[f64],
+    reference: &Reference,
     speed_squared: f64,
     slack: f64,
-) -> Bounds {
-    // Lag is the flap-type problem of its stiffness less Ω².
-    let shift = if grid.dof() == Dof::Lag { speed_squared } else { 0.0 };
-    let values: Vec<f64> = ritz.iter().map(|value| value + shift).collect();
-    let reference: Vec<f64> = reference.iter().map(|value| value + shift).collect();
+) -> Option<Bounds> {
+    if reference.margin >= 1.0 {
+        return None;
+    }
+    // Bounded is the problem without the centrifugal terms on displacements.
+    let shift = grid.system().shift(speed_squared);
+    let given: Vec<f64> = ritz.iter().map(|value| value + shift).collect();
+    let refined = refined(grid, fields, &given, speed_squared);
+    let (values, fields) = refined.as_ref().map_or((&given, fields), |(values, fields)| (values, fields));
+    let margin = reference.margin;
+    let reference: Vec<f64> = reference.eigenvalues.iter().map(|value| value + shift).collect();
     // A mode without any potential energy is known exactly and leaves the others to themselves.
     let rigid = values.iter().take_while(|value| **value == 0.0).count();
-    let energies = moment_gaps(grid, from_tip, fields, &values, rigid, speed_squared).energies(grid) * slack;
+    let energies = residual_moments(grid, from_tip, fields, values, rigid, speed_squared).energies(grid) * slack;
     let separation = |n: usize| reference[n - 1] + SEPARATION * (reference[n] - reference[n - 1]);
     let bounded = (rigid + 1..=values.len().min(reference.len().saturating_sub(1)))
         .rev()
-        .find(|&n| values[n - 1] < separation(n));
-    let rounding = rounding(grid, fields, &values, speed_squared);
+        .find(|&n| values[n - 1] < separation(n) && separation(n) < reference[n] * (1.0 - margin));
+    let rounding = rounding(grid, fields, values, speed_squared);
     let mut intervals = Vec::with_capacity(values.len());
     let lower = match bounded {
         Some(n) => lower_bounds(&values[rigid..n], &energies, rigid, separation(n)),
         None => Vec::new(),
     };
     let mut least = 0.0_f64;
-    for (mode, (&value, rounding)) in ritz.iter().zip(&rounding).enumerate() {
+    let eigenvalues: Vec<f64> = match &refined {
+        Some((values, _)) => values.iter().map(|value| value - shift).collect(),
+        None => ritz.to_vec(),
+    };
+    for (mode, (&value, rounding)) in eigenvalues.iter().zip(&rounding).enumerate() {
         if value == 0.0 {
             intervals.push(Interval { lower: 0.0, upper: 0.0 });
             continue;
@@ -82,13 +110,34 @@ pub fn bounds(
         }
         intervals.push(Interval { lower: least.max(0.0), upper: value + rounding });
     }
-    Bounds { intervals, separation: bounded.map(|n| separation(n) - shift) }
+    let separation = bounded.map(|n| separation(n) - shift);
+    Some(Bounds { eigenvalues, intervals, separation })
+}
+
+/// Ritz values and fields of sums of the modes, from energies of their fields, where those differ from
+/// the values given: the matrices of very many functions of very unlike stiffness lose digits that
+/// sums of squares along the span keep.
+fn refined(grid: &Grid, fields: &Fields, values: &[f64], speed_squared: f64) -> Option<(Vec<f64>, Fields)> {
+    let energies = Energies::new(grid, fields);
+    let mut g = energies.elastic + energies.centrifugal * speed_squared;
+    if let RootCondition::Spring(spring) = grid.condition() {
+        let rotation = DVector::from_column_slice(&energies.root_rotation);
+        g.ger(spring, &rotation, &rotation, 1.0);
+    }
+    let differs = |(mode, value): (usize, &f64)| {
+        (g[(mode, mode)] / energies.inertia[(mode, mode)] - value).abs() > UNSOUND * value
+    };
+    if !values.iter().enumerate().any(differs) {
+        return None;
+    }
+    let found = lowest(&g, &energies.inertia, values.len()).ok()?;
+    (found.values.len() == values.len()).then(|| (found.values, fields.combined(&found.vectors)))
 }
 
 /// Lower bounds ρ s/(1 + s) of eigenvalues below ρ. With x = λ/ρ the matrices of the method,
 /// A0 − ρ A1 and A0 − 2ρ A1 + ρ² A2, become after scaling −diag(x/(1 − x)) and I + N,
-/// N_ij = √(λ_i λ_j) E_ij / ((1 − x_i)(1 − x_j)), with E the complementary energies of the gaps:
-/// nothing cancels, and where the gaps vanish so does the distance of the bounds. s = −t.
+/// N_ij = √(λ_i λ_j) E_ij / ((1 − x_i)(1 − x_j)), with E the complementary energies of the
+/// residual moments: nothing cancels, and where those vanish so does the distance of the bounds. s = −t.
 ///
 /// Modes that lie far below the rest come after them, with the lowest bound of the rest as their ρ.
 fn lower_bounds(values: &[f64], energies: &DMatrix<f64>, first: usize, separation: f64) -> Vec<f64> {
@@ -125,12 +174,12 @@ fn rounding(grid: &Grid, fields: &Fields, values: &[f64], speed_squared: f64) ->
         .iter()
         .enumerate()
         .map(|(mode, &value)| {
-            let mut potential = energy(&fields.strain, mode, grid.stiffness())
-                + speed_squared * energy(&fields.turn, mode, grid.pull());
+            let mut potential = energy(&fields.strain, mode, grid.elastic())
+                + speed_squared * energy(&fields.rotation, mode, grid.centrifugal());
             if let RootCondition::Spring(spring) = grid.condition() {
-                potential += spring * fields.root_turn[mode] * fields.root_turn[mode];
+                potential += spring * fields.root_rotation[mode] * fields.root_rotation[mode];
             }
-            let quotient = potential / energy(&fields.motion, mode, grid.inertia());
+            let quotient = potential / energy(&fields.displacement, mode, grid.inertia());
             ROUNDING * value + (quotient - value).abs()
         })
         .collect()

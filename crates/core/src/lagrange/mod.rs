@@ -2,15 +2,22 @@
 
 mod assembly;
 mod bounds;
+mod classical;
 mod equilibrium;
-mod gap;
+mod fields;
 mod grid;
-mod panels;
+mod residual;
+mod segments;
+mod terms;
+mod uncoupled;
 
-pub use assembly::{Energies, SystemMatrices, assemble, classical_functions, torsion_norm};
-pub use bounds::{Bounds, Interval, bounds};
-pub use equilibrium::{ShapeTables, tabulate};
-pub use gap::{FromTip, MomentGaps, moment_gaps};
-pub(crate) use grid::dot;
-pub use grid::{Cell, Fields, Grid};
-pub(crate) use panels::segments;
+pub use assembly::{Energies, SystemMatrices, assemble};
+pub use bounds::{Bounds, Interval, Reference, bounds};
+pub use classical::{classical_functions, torsion_norm};
+pub use equilibrium::{FromTip, ShapeTables, tabulate};
+pub use fields::Fields;
+pub use grid::{Grid, Panel};
+pub use residual::{ResidualMoments, Residuals, residual_moments};
+pub(crate) use segments::{segments, taper_cuts};
+pub use terms::{Energy, Field, Quantity, System, Term};
+pub use uncoupled::{SYSTEMS, system};

@@ -1,14 +1,24 @@
 //! Mode shapes along the span (Eq. 83), scaled and signed.
 
 use super::Mode;
+use crate::dof::Dof;
 use crate::lagrange::ShapeTables;
-use crate::numerics::scalar::sqrt;
+use crate::numerics::scalar::{maximum, sqrt};
 use alloc::vec::Vec;
 use nalgebra::{DMatrix, DVector};
 
-/// One mode along the span. Positive at the tip: flap up, lag forward, nose up.
+/// One mode along the span, positive at the tip of its first component: flap up, lag forward, nose up.
 #[derive(Clone, Debug)]
 pub struct Shape {
+    /// One per degree of freedom of the system.
+    pub components: Vec<Component>,
+}
+
+/// What a mode does in one degree of freedom.
+#[derive(Clone, Debug)]
+pub struct Component {
+    /// The degree of freedom.
+    pub dof: Dof,
     /// Displacement or twist at each radius.
     pub displacement: Vec<f64>,
     /// Slope [1/m].
@@ -19,7 +29,8 @@ pub struct Shape {
 
 /// The shapes of modes at Ω² = `speed_squared`, scaled to qᵀ N q = 1 where N = `norm` is given (M
 /// makes that Eq. 86), else to a largest absolute displacement of 1 among the sampled radii.
-pub fn shapes(tables: &ShapeTables, modes: &[Mode], speed_squared: f64, norm: Option<&DMatrix<f64>>) -> Vec<Shape> {
+/// `tables` holds one table per degree of freedom, whose functions follow one another in q.
+pub fn shapes(tables: &[ShapeTables], modes: &[Mode], speed_squared: f64, norm: Option<&DMatrix<f64>>) -> Vec<Shape> {
     modes.iter().map(|mode| shape(tables, mode, speed_squared, norm)).collect()
 }
 
@@ -28,18 +39,37 @@ pub fn orthogonality(mass: &DMatrix<f64>, modes: &[Mode]) -> Vec<f64> {
     let of_mode = |(i, mode): (usize, &Mode)| {
         let loaded = mass * &mode.coordinates;
         let others = modes.iter().enumerate().filter(|&(j, _)| j != i);
-        others.map(|(_, other)| other.coordinates.dot(&loaded).abs()).fold(0.0, f64::max)
+        others.map(|(_, other)| other.coordinates.dot(&loaded).abs()).fold(0.0, maximum)
     };
     modes.iter().enumerate().map(of_mode).collect()
 }
 
-fn shape(tables: &ShapeTables, mode: &Mode, speed_squared: f64, norm: Option<&DMatrix<f64>>) -> Shape {
+fn shape(tables: &[ShapeTables], mode: &Mode, speed_squared: f64, norm: Option<&DMatrix<f64>>) -> Shape {
     let q = &mode.coordinates;
-    let displacement = &tables.value * q;
-    let size = norm.map_or_else(|| displacement.amax(), |norm| sqrt(q.dot(&(norm * q))));
-    let sign = if displacement.iter().next_back().is_some_and(|&tip| tip < 0.0) { -1.0 } else { 1.0 };
+    let mut first = 0;
+    let parts: Vec<(&ShapeTables, DVector<f64>)> = tables
+        .iter()
+        .map(|table| {
+            let own = q.rows(first, table.value.ncols()).into_owned();
+            first += own.len();
+            (table, own)
+        })
+        .collect();
+    let displacements: Vec<DVector<f64>> = parts.iter().map(|(table, own)| &table.value * own).collect();
+    let largest = || displacements.iter().map(DVector::amax).fold(0.0, f64::max);
+    let size = norm.map_or_else(largest, |norm| sqrt(q.dot(&(norm * q))));
+    let tip = displacements.first().and_then(|displacement| displacement.iter().next_back());
+    let sign = if tip.is_some_and(|&tip| tip < 0.0) { -1.0 } else { 1.0 };
     // Divided, not multiplied by an inverse: the largest displacement is 1 to the bit.
-    let along = |vector: DVector<f64>| vector.iter().map(|&v| sign * v / size).collect();
-    let moment = &tables.inertial * q * mode.eigenvalue - &tables.centrifugal * q * speed_squared;
-    Shape { displacement: along(displacement), slope: along(&tables.slope * q), moment: along(moment) }
+    let along = |vector: &DVector<f64>| vector.iter().map(|&v| sign * v / size).collect();
+    let components = parts.iter().zip(&displacements).map(|((table, own), displacement)| {
+        let moment = &table.inertial * own * mode.eigenvalue - &table.centrifugal * own * speed_squared;
+        Component {
+            dof: table.dof,
+            displacement: along(displacement),
+            slope: along(&(&table.slope * own)),
+            moment: along(&moment),
+        }
+    });
+    Shape { components: components.collect() }
 }

@@ -1,4 +1,4 @@
-//! The eigenproblem of one degree of freedom at one speed.
+//! The eigenproblem of one system at one speed.
 
 use crate::dof::Dof;
 use crate::lagrange::SystemMatrices;
@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 use core::fmt;
 use nalgebra::DVector;
 
-/// One mode of one degree of freedom.
+/// One mode of one system.
 #[derive(Clone, Debug)]
 pub struct Mode {
     /// λ = ω² [rad²/s²]; exactly 0 for a rigid mode.
@@ -23,28 +23,43 @@ pub struct Mode {
     pub residual: f64,
 }
 
-/// Why the equations of a degree of freedom have no answer.
+/// Why the equations of a system have no answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SolveError {
-    /// The degree of freedom.
-    pub dof: Dof,
+    /// The degrees of freedom of the system.
+    pub dofs: &'static [Dof],
     /// What is wrong.
     pub cause: EigenError,
 }
 
 impl fmt::Display for SolveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let dof = self.dof;
+        let dofs = Names(self.dofs);
         match self.cause {
-            EigenError::NonFinite => write!(f, "the {dof} matrices overflow; are the units right?"),
+            EigenError::NonFinite => write!(f, "the {dofs} matrices overflow; are the units right?"),
             EigenError::NotPositiveDefinite => {
-                write!(f, "the {dof} stiffness matrix is not positive definite; the stiffness varies too much for f64")
+                write!(f, "the {dofs} stiffness matrix is not positive definite; the stiffness varies too much for f64")
             }
-            EigenError::NotConverged => write!(f, "the {dof} eigenvalues did not converge"),
+            EigenError::NotConverged => write!(f, "the {dofs} eigenvalues did not converge"),
             EigenError::TooFewModes(left) => {
-                write!(f, "the inertia along the span determines only {left} {dof} modes; ask for fewer modes")
+                write!(f, "the inertia along the span determines only {left} {dofs} modes; ask for fewer modes")
             }
         }
+    }
+}
+
+/// `flap`, or `flap-lag-torsion` for degrees of freedom that feel one another.
+struct Names(&'static [Dof]);
+
+impl fmt::Display for Names {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, dof) in self.0.iter().enumerate() {
+            if index > 0 {
+                f.write_str("-")?;
+            }
+            f.write_str(dof.name())?;
+        }
+        Ok(())
     }
 }
 
@@ -68,7 +83,7 @@ pub fn eigenvalues(matrices: &SystemMatrices, speed_squared: f64, count: usize) 
 /// [`SolveError`].
 pub fn solve(matrices: &SystemMatrices, speed_squared: f64, count: usize) -> Result<Vec<Mode>, SolveError> {
     let g = matrices.stiffness() + matrices.centrifugal() * speed_squared;
-    let eigen = lowest(&g, matrices.mass(), count).map_err(|cause| SolveError { dof: matrices.dof(), cause })?;
+    let eigen = lowest(&g, matrices.mass(), count).map_err(|cause| SolveError { dofs: matrices.dofs(), cause })?;
     let modes = eigen.values.iter().zip(eigen.residuals).zip(eigen.vectors.column_iter());
     Ok(modes
         .map(|((&eigenvalue, residual), vector)| Mode {

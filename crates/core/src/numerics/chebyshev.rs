@@ -81,4 +81,32 @@ mod tests {
             assert!((derivatives[1] - 2.0 * x).abs() < 4e-6, "{x}: {}", derivatives[1]);
         }
     }
+
+    #[test]
+    fn nodes_of_a_degree_are_among_those_of_twice_it_and_the_ends_are_exact() {
+        let (from, to) = (0.1, 0.7);
+        for degree in [4, 8, 16] {
+            assert_eq!((node(from, to, degree, 0), node(from, to, degree, degree)), (from, to));
+            for index in 0..=degree {
+                assert_eq!(node(from, to, degree, index), node(from, to, 2 * degree, 2 * index));
+            }
+            assert!((0..=degree).map(|index| node(from, to, degree, index)).is_sorted());
+        }
+    }
+
+    #[test]
+    fn values_at_the_nodes_are_those_given() {
+        let nodes: Vec<f64> = (0..=4).map(|i| node(2.0, 3.0, 4, i)).collect();
+        let rows: Vec<Vec<f64>> = [3.0, -1.0, 0.1, 7.0, 1e9].map(|value| vec![value]).into();
+        let mut value = [0.0];
+        for (node, row) in nodes.iter().zip(&rows) {
+            interpolate(&nodes, &rows, *node, &mut value);
+            assert_eq!(value, row[..]);
+        }
+        // All nodes in one place, as for a range of one speed.
+        interpolate(&[5.0; 3], &[vec![1.5], vec![1.5], vec![1.5]], 5.0, &mut value);
+        assert_eq!(value, [1.5]);
+        slopes(&[], &[], 1.0, &mut value);
+        assert_eq!(value, [1.5], "nothing to take a slope of");
+    }
 }

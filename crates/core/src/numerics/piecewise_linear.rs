@@ -58,10 +58,31 @@ impl PiecewiseLinear {
         (value, value)
     }
 
+    /// The function between two radii with no station between them, from its limits there.
+    pub fn between(&self, from: f64, to: f64) -> Linear {
+        let (inner, outer) = (self.limits(from).1, self.limits(to).0);
+        Linear { from, inner, slope: (outer - inner) / (to - from) }
+    }
+
     /// The value at `x`; the mean of both limits on a step.
     pub fn at(&self, x: f64) -> f64 {
         let (inboard, outboard) = self.limits(x);
         inboard + 0.5 * (outboard - inboard)
+    }
+}
+
+/// A linear function of the radius.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Linear {
+    from: f64,
+    inner: f64,
+    slope: f64,
+}
+
+impl Linear {
+    /// The value at `x`.
+    pub fn at(&self, x: f64) -> f64 {
+        self.inner + self.slope * (x - self.from)
     }
 }
 

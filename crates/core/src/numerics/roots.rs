@@ -1,7 +1,8 @@
 //! Roots of functions of one variable.
 
-/// Most steps; bisection alone needs about 1100 to exhaust the exponents of f64, Newton a handful.
-const MOST_STEPS: usize = 200;
+/// Most steps: Newton needs a handful, and bisection alone not more than this, which halves the largest
+/// f64 to below the least.
+const MOST_STEPS: usize = 2200;
 
 /// The root of a function in [low, high] by Newton's method kept inside a shrinking bracket, to
 /// the last few bits of f64. `f` returns value and derivative; its values at `low` and `high` must
@@ -61,5 +62,50 @@ mod tests {
         // Far below 1: the tolerance is relative.
         let root = bracketed_newton(|x| (x * x - 1e-30, 2.0 * x), 0.0, 1.0, 0.5);
         assert!((root / 1e-15 - 1.0).abs() < 1e-14, "{root}");
+    }
+
+    #[test]
+    fn an_end_that_is_the_root_is_found() {
+        for start in [1.0, 1.5, 2.0] {
+            assert!((bracketed_newton(|x| (x - 1.0, 1.0), 1.0, 2.0, start) - 1.0).abs() < 1e-15, "{start}");
+            assert!((bracketed_newton(|x| (2.0 - x, -1.0), 1.0, 2.0, start) - 2.0).abs() < 1e-15, "{start}");
+        }
+    }
+
+    #[test]
+    fn a_slope_of_no_use_leaves_bisection() {
+        for slope in [0.0, -3.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e-300] {
+            let root = bracketed_newton(|x| (x * x * x - 2.0, slope), 0.0, 2.0, 0.3);
+            // An infinite slope reads as a step of 0: nothing moves from the start.
+            if !slope.is_infinite() {
+                assert!((root - 2.0_f64.cbrt()).abs() < 1e-15, "{slope}: {root}");
+            }
+            assert!((0.0..=2.0).contains(&root), "{slope}: {root}");
+        }
+    }
+
+    #[test]
+    fn a_root_of_several_is_found_as_well_as_values_tell() {
+        let root =
+            bracketed_newton(|x| ((x - 0.3) * (x - 0.3) * (x - 0.3), 3.0 * (x - 0.3) * (x - 0.3)), 0.0, 1.0, 0.9);
+        assert!((root - 0.3).abs() < 1e-12, "{root}");
+        // A step has no root, but a place.
+        let root = bracketed_newton(|x| (if x < 0.7 { -1.0 } else { 1.0 }, 0.0), 0.0, 1.0, 0.5);
+        assert!((root - 0.7).abs() < 1e-15, "{root}");
+    }
+
+    #[test]
+    fn it_ends_in_the_bracket_whatever_the_values() {
+        let mut steps = 0;
+        let mut f = |_: f64| {
+            steps += 1;
+            (f64::NAN, f64::NAN)
+        };
+        let root = bracketed_newton(&mut f, 1.0, 2.0, 1.5);
+        assert!((1.0..=2.0).contains(&root), "{root}");
+        assert!(steps <= MOST_STEPS + 2, "{steps}");
+        // From one end of f64 to the other.
+        let root = bracketed_newton(|x| (x - 1e-200, 1.0), 0.0, 1e300, 1e299);
+        assert!((root / 1e-200 - 1.0).abs() < 1e-12, "{root}");
     }
 }

@@ -70,3 +70,35 @@ pub fn ln_1p(x: f64) -> f64 {
 pub fn exp_m1(x: f64) -> f64 {
     libm::expm1(x)
 }
+
+/// The larger of two, not a number where either is not, and 0 rather than −0: `f64::max` drops what
+/// is not a number, so that an error estimate looks good, and gives either zero, as the target likes.
+pub fn maximum(a: f64, b: f64) -> f64 {
+    if a > b {
+        a
+    } else if b > a {
+        b
+    } else if a == b {
+        if a.is_sign_positive() { a } else { b }
+    } else {
+        f64::NAN
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_maximum_keeps_what_is_no_number_and_has_one_zero() {
+        assert_eq!(maximum(1.0, 2.0), 2.0);
+        assert_eq!(maximum(-1.0, f64::NEG_INFINITY), -1.0);
+        for (a, b) in [(f64::NAN, 1.0), (1.0, f64::NAN), (f64::NAN, f64::NAN)] {
+            assert!(maximum(a, b).is_nan());
+        }
+        for (a, b) in [(0.0, -0.0), (-0.0, 0.0), (0.0, 0.0)] {
+            assert!(maximum(a, b).is_sign_positive());
+        }
+        assert!(maximum(-0.0, -0.0).is_sign_negative());
+    }
+}

@@ -107,3 +107,50 @@ report! {
         margin_per_rev: Option<f64>,
     }
 }
+
+impl FanChart {
+    /// Whether a rotor speed [rad/s] lies in an operating band, which is given as ratios of nominal speed.
+    pub fn in_band(&self, speed_rad_s: f64, band: (f64, f64)) -> bool {
+        let nominal = self.nominal.speed_rad_s;
+        (band.0 * nominal..=band.1 * nominal).contains(&speed_rad_s)
+    }
+
+    /// The crossings in an operating band, in their order.
+    pub fn crossings_in(&self, band: (f64, f64)) -> impl Iterator<Item = &Crossing> {
+        self.crossings.iter().filter(move |crossing| self.in_band(crossing.speed_rad_s, band))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::functions::BasisFamily;
+    use crate::report::FunctionCounts;
+
+    #[test]
+    fn a_band_holds_its_ends() {
+        let crossing = |speed_rad_s: f64| Crossing {
+            label: Label::new(Dof::Flap, 1),
+            harmonic: 1,
+            speed_rad_s,
+            frequency_rad_s: speed_rad_s,
+        };
+        let chart = FanChart {
+            schema: "bladefan-fan/1",
+            blade: String::new(),
+            blades: None,
+            harmonics: 1,
+            basis: BasisReport { family: BasisFamily::Piecewise, functions: FunctionCounts::default() },
+            speeds_rad_s: Vec::new(),
+            branches: Vec::new(),
+            crossings: [8.9, 0.9 * 10.0, 10.0, 1.1 * 10.0, 11.1, f64::NAN].map(crossing).into(),
+            coincident: Vec::new(),
+            nominal: Nominal { speed_rad_s: 10.0, margins: Vec::new() },
+            warnings: Vec::new(),
+        };
+        let speeds = |band: (f64, f64)| -> Vec<f64> { chart.crossings_in(band).map(|at| at.speed_rad_s).collect() };
+        assert_eq!(speeds((0.9, 1.1)), [0.9 * 10.0, 10.0, 1.1 * 10.0]);
+        assert_eq!(speeds((0.0, 0.5)), [0.0; 0]);
+        assert_eq!(speeds((f64::NAN, 2.0)), [0.0; 0]);
+    }
+}

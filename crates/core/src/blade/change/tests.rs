@@ -124,11 +124,11 @@ fn what_may_be_left_out_can_be_set_and_what_must_be_given_stays_missing() {
 fn a_change_that_changes_nothing_leaves_every_bit() {
     for what in What::all() {
         for amount in [Amount::Scale(1.0), Amount::Add(0.0)] {
-            for stretch in [Stretch::WHOLE, Stretch { from: Some(1.5), to: None }] {
-                if stretch != Stretch::WHOLE && !matches!(what, What::Property(_)) {
+            for part in [Part::WHOLE, Part { from: Some(1.5), to: None }] {
+                if part != Part::WHOLE && !matches!(what, What::Property(_)) {
                     continue;
                 }
-                assert_eq!(after(&[Change { stretch, ..Change::new(what, amount) }]), blade(), "{what:?} {amount:?}");
+                assert_eq!(after(&[Change { part, ..Change::new(what, amount) }]), blade(), "{what:?} {amount:?}");
             }
         }
     }
@@ -154,7 +154,7 @@ fn changes_that_are_none_are_refused_at_once() {
     let bad = [
         Change::new(MASS, Amount::Scale(f64::NAN)).on(2.0, 1.0),
         Change::new(What::Offset(Dof::Lag), Amount::Set(1.0)).on(0.0, 1.0),
-        Change { stretch: Stretch { from: None, to: Some(f64::INFINITY) }, ..Change::new(MASS, Amount::Add(1.0)) },
+        Change { part: Part { from: None, to: Some(f64::INFINITY) }, ..Change::new(MASS, Amount::Add(1.0)) },
     ];
     let faults: Vec<String> = change(&blade(), &bad).unwrap_err().iter().map(ToString::to_string).collect();
     let expected = [

@@ -8,7 +8,7 @@ use super::super::sheet::{Anchor, Face, Point, Sheet, dash_array};
 use super::super::text;
 use super::crossings::draw_haloed;
 use super::units::Units;
-use crate::numerics::scalar::sqrt;
+use crate::numerics::scalar::{maximum, sqrt};
 use crate::report::{Branch, FanChart};
 use alloc::string::ToString;
 use alloc::vec::Vec;
@@ -70,7 +70,7 @@ fn between(from: (f64, f64), to: (f64, f64), steps: usize) -> impl Iterator<Item
         let share = if step == 0 { 1e-6 } else { step as f64 / steps as f64 };
         let speed = from.0 + (to.0 - from.0) * share;
         let along = (speed * speed - a.0) / (b.0 - a.0);
-        (speed, sqrt((a.1 + along * (b.1 - a.1)).max(0.0)))
+        (speed, sqrt(maximum(a.1 + along * (b.1 - a.1), 0.0)))
     })
 }
 

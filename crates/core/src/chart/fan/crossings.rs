@@ -24,21 +24,14 @@ pub(super) struct Mark {
     pub label: String,
 }
 
-/// Crossings inside the band of rotor speeds.
-pub(super) fn in_band(chart: &FanChart, band: (f64, f64)) -> impl Iterator<Item = &Crossing> {
-    let nominal = chart.nominal.speed_rad_s;
-    let (from, to) = (band.0 * nominal, band.1 * nominal);
-    chart.crossings.iter().filter(move |crossing| crossing.speed_rad_s >= from && crossing.speed_rad_s <= to)
-}
-
-/// The same inside the frame.
+/// Crossings inside the band of rotor speeds and inside the frame.
 pub(super) fn marks(chart: &FanChart, band: (f64, f64), panel: &Panel, units: Units) -> Vec<Mark> {
     let mark = |crossing: &Crossing| {
         let at = units.point(panel, crossing.speed_rad_s, crossing.frequency_rad_s)?;
         let label = crossing.label.to_string();
         panel.area.holds_point(at).then(|| Mark { at, name: format!("{label} × {}P", crossing.harmonic), label })
     };
-    in_band(chart, band).filter_map(mark).collect()
+    chart.crossings_in(band).filter_map(mark).collect()
 }
 
 /// Radius of the circles [px].

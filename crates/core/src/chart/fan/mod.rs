@@ -126,7 +126,7 @@ fn entries(chart: &FanChart, options: &ChartOptions, range: &Range, units: Units
         let (from, to) = (text::significant(options.band.0, 4), text::significant(options.band.1, 4));
         entries.push(Entry::new(Sign::Band, format!("{from} to {to} of nominal speed")));
     }
-    let crossings = crossings::in_band(chart, options.band).filter(|crossing| range.holds(crossing, units)).count();
+    let crossings = chart.crossings_in(options.band).filter(|crossing| range.holds(crossing, units)).count();
     if crossings > 0 {
         let plural = if crossings == 1 { "" } else { "s" };
         entries.push(Entry::new(Sign::Crossing, format!("{crossings} crossing{plural} in this band")));

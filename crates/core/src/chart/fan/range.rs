@@ -3,7 +3,6 @@
 use super::super::ChartOptions;
 use super::units::Units;
 use crate::dof::Dof;
-use crate::order::order;
 use crate::report::{Branch, Crossing, FanChart, MeasuredPoint};
 use alloc::vec::Vec;
 
@@ -75,8 +74,8 @@ impl Range {
 /// Frequency [rad/s] at the top of an axis that begins at 0.
 fn top(chart: &FanChart, measured: &[MeasuredPoint], (from_speed, to_speed): (f64, f64), spans: &[(f64, f64)]) -> f64 {
     let reach = f64::from(chart.harmonics.max(LEAST_HARMONICS)) * to_speed;
-    let highest: Vec<f64> = spans.iter().map(|span| span.1).collect();
-    let spans: Vec<(f64, f64)> = order(&highest).into_iter().map(|index| spans[index]).collect();
+    let mut spans = spans.to_vec();
+    spans.sort_by(|a, b| a.1.total_cmp(&b.1));
     let shown = spans.iter().filter(|span| span.0 <= reach).map(|span| span.1.min(ABOVE_REACH * reach));
     let lowest = spans.iter().take(LEAST_BRANCHES).map(|span| span.1);
     let points = measured.iter().filter(|point| {

@@ -3,7 +3,7 @@
 
 use super::reader::{Reader, Table};
 use super::tree::{Node, Tree};
-use crate::blade::{Amount, Change, Stretch, What, choice_fault};
+use crate::blade::{Amount, Change, Part, What, choice_fault};
 use crate::fault::{Fault, FaultCode};
 use crate::units::Units;
 use alloc::format;
@@ -27,10 +27,10 @@ impl Reader {
         let table = self.table(path, tree, &KEYS)?;
         let what = self.what(&table);
         let amount = self.amount(&table, path);
-        let stretch = Stretch { from: self.number(&table, "from"), to: self.number(&table, "to") };
+        let part = Part { from: self.number(&table, "from"), to: self.number(&table, "to") };
         let units = table.get("units").map(|tree| self.units_at(&table.path("units"), tree, units));
         let mass_alone = self.truth(&table, "mass_alone").unwrap_or(false);
-        Some(Change { what: what?, amount: amount?, stretch, units, mass_alone })
+        Some(Change { what: what?, amount: amount?, part, units, mass_alone })
     }
 
     fn what(&mut self, table: &Table) -> Option<What> {

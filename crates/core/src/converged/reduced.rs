@@ -1,0 +1,154 @@
+//! The few functions that come out of the many: the span of the modes at some speeds.
+
+use super::elements::Elements;
+use super::subspace::Subspace;
+use super::{COUNTED_BELOW, count};
+use crate::lagrange::{Fields, FromTip, SystemMatrices, assemble, residual_moments};
+use crate::numerics::eigen::{EigenError, lowest};
+use crate::numerics::scalar::sqrt;
+use alloc::vec;
+use alloc::vec::Vec;
+use nalgebra::DMatrix;
+
+/// A direction with less than this beside those there are is left out.
+const NOTHING_NEW: f64 = 1e-8;
+
+/// The few functions that came out.
+#[derive(Clone, Debug)]
+pub(super) struct Reduced {
+    /// Their strain coefficients; the rigid motion has none.
+    pub(super) coefficients: DMatrix<f64>,
+    pub(super) matrices: SystemMatrices,
+}
+
+impl Reduced {
+    /// The span of the modes at these Ω².
+    pub(super) fn new(
+        elements: &Elements,
+        subspace: &Subspace,
+        anchors: &[f64],
+        count: usize,
+    ) -> Result<Self, EigenError> {
+        let rigid = usize::from(elements.root_rotates());
+        let mut out: Vec<Vec<f64>> = Vec::new();
+        for &s in anchors {
+            for q in subspace.ritz(s, count)?.vectors.column_iter() {
+                add_direction(&mut out, q.as_slice()[rigid..].to_vec());
+            }
+        }
+        let clamped = DMatrix::from_fn(subspace.len() - rigid, out.len(), |i, j| out[j][i]);
+        let mut all = DMatrix::zeros(subspace.len(), out.len() + rigid);
+        all.view_mut((rigid, rigid), clamped.shape()).copy_from(&clamped);
+        if rigid == 1 {
+            all[(0, 0)] = 1.0;
+        }
+        let matrices = assemble(elements.grid(), subspace.energies(), rigid == 1).reduced(&all);
+        Ok(Self { coefficients: subspace.coefficients(&clamped), matrices })
+    }
+
+    /// The largest relative error of an eigenvalue at Ω² = `s`; raises the share of each element to
+    /// the largest error that it is to blame for.
+    pub(super) fn check(
+        &self,
+        elements: &Elements,
+        s: f64,
+        count: usize,
+        from_tip: &FromTip,
+        shares: &mut [f64],
+    ) -> Result<f64, EigenError> {
+        let grid = elements.fine_grid();
+        let shift = grid.system().shift(s);
+        let g = self.matrices.stiffness() + self.matrices.centrifugal() * s + self.matrices.mass() * shift;
+        let found = lowest(&g, self.matrices.mass(), count)?;
+        let rigid = found.values.iter().take_while(|value| **value == 0.0).count();
+        let residuals =
+            residual_moments(grid, from_tip, &self.fields(elements, &found.vectors), &found.values, rigid, s);
+        let energies = residuals.energies(grid);
+        let mut error = 0.0_f64;
+        for (mode, value) in found.values.iter().enumerate().skip(rigid) {
+            let own = energies[(mode, mode)] * value;
+            // What is not a number is no small error.
+            error = error.max(if own.is_nan() { f64::INFINITY } else { own });
+            let column = residuals.moment.column(mode);
+            for (panel, share) in grid.panels().iter().zip(shares.iter_mut()) {
+                let own: f64 =
+                    panel.points.clone().map(|k| grid.weight()[k] * column[k] * column[k] / grid.elastic()[k]).sum();
+                *share = share.max(own * value);
+            }
+        }
+        Ok(error)
+    }
+
+    /// How far below the last of the `count` eigenvalues found at Ω² = `s`, as a share of it, as many
+    /// were counted as were found. The share allows for their relative error.
+    pub(super) fn counted(
+        &self,
+        elements: &Elements,
+        s: f64,
+        count: usize,
+        error: f64,
+    ) -> Result<Option<f64>, EigenError> {
+        let shift = elements.grid().system().shift(s);
+        let g = self.matrices.stiffness() + self.matrices.centrifugal() * s + self.matrices.mass() * shift;
+        let found = lowest(&g, self.matrices.mass(), count)?.values;
+        let Some(last) = found.last().filter(|last| **last > 0.0) else { return Ok(Some(0.0)) };
+        for share in COUNTED_BELOW {
+            let share = share.max(10.0 * error);
+            let below = last * (1.0 - share);
+            if let Some(counted) = count::below(elements, below - shift, s) {
+                let same = counted == found.iter().filter(|value| **value < below).count();
+                return Ok(same.then_some(share));
+            }
+        }
+        Ok(None)
+    }
+
+    /// What sums of the functions that came out (columns of `coordinates`) do along the span.
+    pub(super) fn fields(&self, elements: &Elements, coordinates: &DMatrix<f64>) -> Fields {
+        let rigid = usize::from(elements.root_rotates());
+        let points = elements.fine_grid().len();
+        let n = coordinates.ncols();
+        let mut fields = Fields {
+            displacement: DMatrix::zeros(points, n),
+            rotation: DMatrix::zeros(points, n),
+            strain: DMatrix::zeros(points, n),
+            root_rotation: vec![0.0; n],
+        };
+        let rigid_displacement = elements.fine_grid().rigid_displacement();
+        for (column, q) in coordinates.column_iter().enumerate() {
+            let sum = &self.coefficients * q.rows(rigid, q.nrows() - rigid);
+            let vector = elements.fields(sum.as_slice());
+            let root_rotation = if rigid == 1 { q[0] } else { 0.0 };
+            fields.root_rotation[column] = root_rotation;
+            let at = column * points..(column + 1) * points;
+            for ((out, clamped), x) in fields.displacement.as_mut_slice()[at.clone()]
+                .iter_mut()
+                .zip(&vector.displacement)
+                .zip(&rigid_displacement)
+            {
+                *out = clamped + root_rotation * x;
+            }
+            for (out, clamped) in fields.rotation.as_mut_slice()[at.clone()].iter_mut().zip(&vector.rotation) {
+                *out = clamped + root_rotation;
+            }
+            fields.strain.as_mut_slice()[at].copy_from_slice(&vector.strain);
+        }
+        fields
+    }
+}
+
+/// Adds what a direction has beside those there are, at unit length.
+fn add_direction(out: &mut Vec<Vec<f64>>, mut direction: Vec<f64>) {
+    let length = |v: &[f64]| sqrt(v.iter().map(|v| v * v).sum());
+    let before = length(&direction);
+    for _ in 0..2 {
+        for known in out.iter() {
+            let along: f64 = known.iter().zip(&direction).map(|(a, b)| a * b).sum();
+            direction.iter_mut().zip(known).for_each(|(v, k)| *v -= along * k);
+        }
+    }
+    let after = length(&direction);
+    if after > NOTHING_NEW * before {
+        out.push(direction.into_iter().map(|v| v / after).collect());
+    }
+}

@@ -1,0 +1,281 @@
+//! The part of all piecewise functions in which the lowest modes lie, grown by inverse iteration.
+
+use super::elements::{Elements, Factor};
+use crate::blade::RootCondition;
+use crate::functions::Deformation;
+use crate::lagrange::Energies;
+use crate::numerics::eigen::{Eigen, EigenError, lowest};
+use crate::numerics::scalar::sqrt;
+use crate::numerics::vector::{axpy, dot, scale};
+use alloc::vec;
+use alloc::vec::Vec;
+use core::cell::Cell;
+use nalgebra::DMatrix;
+
+/// A vector that keeps less than this of its length beside those there are says nothing new.
+const NOTHING_NEW: f64 = 1e-8;
+/// Most numbers that the functions are made of: 64 MB.
+const MOST_NUMBERS: usize = 8_000_000;
+/// A vector that keeps less than this of its length is made orthogonal once more.
+const ONCE_MORE: f64 = 1e-2;
+
+/// A subspace: where the root turns the rigid motion first, then clamped functions, orthonormal in
+/// the clamped potential energy at the first anchor; with their energies.
+pub(super) struct Subspace<'a> {
+    elements: &'a Elements,
+    /// Ω² of the first anchor.
+    anchor: f64,
+    /// 1 where the first function is the rigid motion, else 0.
+    rigid: usize,
+    functions: Vec<Function>,
+    /// Rows of the lower triangles: elastic, centrifugal per Ω², inertia.
+    elastic: Vec<Vec<f64>>,
+    centrifugal: Vec<Vec<f64>>,
+    inertia: Vec<Vec<f64>>,
+    /// Orthonormal in the inertia: what is iterated.
+    members: Vec<Displacement>,
+    /// Quadrature weights times inertia.
+    masses: Vec<f64>,
+    /// Multiplications so far, about, and the most there may be.
+    work: Cell<f64>,
+    most_work: f64,
+}
+
+/// One function of the subspace.
+struct Function {
+    /// Strain coefficients; none but 0 in the rigid motion.
+    coefficients: Vec<f64>,
+    displacement: Displacement,
+    /// Derivatives of the strain energy and, per Ω², of the centrifugal energy by the coefficients.
+    elastic: Vec<f64>,
+    centrifugal: Vec<f64>,
+    /// The same of the potential energy at the first anchor.
+    potential: Vec<f64>,
+}
+
+/// A displacement at the points of the grid, and that times inertia and weight.
+struct Displacement {
+    values: Vec<f64>,
+    weighted: Vec<f64>,
+}
+
+impl<'a> Subspace<'a> {
+    pub(super) fn new(elements: &'a Elements, anchor: f64, most_work: f64) -> Self {
+        let grid = elements.grid();
+        let mut subspace = Self {
+            elements,
+            anchor,
+            rigid: usize::from(elements.root_rotates()),
+            functions: Vec::new(),
+            elastic: Vec::new(),
+            centrifugal: Vec::new(),
+            inertia: Vec::new(),
+            members: Vec::new(),
+            masses: grid.weighted(grid.inertia()).collect(),
+            work: Cell::new(0.0),
+            most_work,
+        };
+        if elements.root_rotates() {
+            let displacement = Displacement::new(grid.rigid_displacement(), &subspace.masses);
+            let (centrifugal, own) = elements.centrifugal_on_rigid();
+            subspace.elastic.push(vec![0.0]);
+            subspace.centrifugal.push(vec![own]);
+            subspace.inertia.push(vec![dot(&displacement.weighted, &displacement.values)]);
+            let none = vec![0.0; centrifugal.len()];
+            let (elastic, potential) = (none.clone(), none.clone());
+            subspace.functions.push(Function { coefficients: none, displacement, elastic, centrifugal, potential });
+        }
+        subspace
+    }
+
+    /// Number of functions.
+    pub(super) fn len(&self) -> usize {
+        self.functions.len()
+    }
+
+    /// Multiplications so far, about.
+    pub(super) fn work(&self) -> f64 {
+        self.work.get()
+    }
+
+    /// Whether there was work enough, or the functions fill the memory that they may.
+    pub(super) fn is_exhausted(&self) -> bool {
+        let numbers = 4 * self.elements.mesh.count() + 2 * self.elements.grid().len();
+        self.work.get() > self.most_work || self.len() * numbers > MOST_NUMBERS
+    }
+
+    fn worked(&self, multiplications: usize) {
+        self.work.set(self.work.get() + multiplications as f64);
+    }
+
+    /// The first vectors: the static shape of a rotated root, the response to the inertia of a motion
+    /// one degree above the rigid one, so that no symmetry hides a mode from it, and the responses to
+    /// those, until there are so many (Wilson, Yuan & Dickens 1982).
+    pub(super) fn start(&mut self, factor: &Factor, speed_squared: f64, members: usize) {
+        self.push_rotated_root(factor, speed_squared);
+        let deformation = self.elements.grid().deformation();
+        let above = |x: f64| if deformation == Deformation::Torsion { x } else { x * x };
+        let start: Vec<f64> = self.elements.grid().x().map(above).collect();
+        self.push_start(factor, &start);
+        let mut next = 0;
+        while self.members.len() < members && next < self.members.len() && !self.is_exhausted() {
+            self.push_next(factor, next);
+            next += 1;
+        }
+    }
+
+    /// Adds the responses to the inertia of single elements, so many of them at even distances: what
+    /// lives between two heavy blocks does not show in the response to a load on the whole blade.
+    pub(super) fn push_loads(&mut self, factor: &Factor, elements: usize) {
+        let panels = self.elements.grid().panels();
+        let step = panels.len().div_ceil(elements).max(1);
+        for panel in panels.iter().step_by(step) {
+            if self.is_exhausted() {
+                break;
+            }
+            let mut displacement = vec![0.0; self.elements.grid().len()];
+            displacement[panel.points.clone()].fill(1.0);
+            let response = self.elements.response_to_inertia(factor, &displacement);
+            self.push(response);
+        }
+    }
+
+    /// Adds the static shape of a rotated root, to be iterated.
+    fn push_rotated_root(&mut self, factor: &Factor, speed_squared: f64) {
+        if let Some(rigid) = self.functions.first().filter(|_| self.rigid == 1) {
+            let response = self.elements.response_to_root_rotation(factor, speed_squared);
+            let mut displacement = self.elements.displacement(&response);
+            axpy(&mut displacement, 1.0, &rigid.displacement.values);
+            self.push_member(displacement, response);
+        }
+    }
+
+    /// Adds the response to the inertia of a displacement, to be iterated.
+    fn push_start(&mut self, factor: &Factor, displacement: &[f64]) {
+        let response = self.elements.response_to_inertia(factor, displacement);
+        self.push_member(self.elements.displacement(&response), response);
+    }
+
+    /// Adds the response to the inertia of a member, to be iterated.
+    fn push_next(&mut self, factor: &Factor, member: usize) {
+        let response = self.elements.response_to_inertia(factor, &self.members[member].values);
+        self.push_member(self.elements.displacement(&response), response);
+    }
+
+    /// Adds the response to the inertia of a displacement; returns the share of it that was new.
+    pub(super) fn push_response(&mut self, factor: &Factor, displacement: &[f64]) -> f64 {
+        let response = self.elements.response_to_inertia(factor, displacement);
+        self.push(response)
+    }
+
+    /// Adds a displacement to be iterated, less what the members have of it, and its clamped part; neither
+    /// where it is nothing new.
+    fn push_member(&mut self, mut displacement: Vec<f64>, coefficients: Vec<f64>) {
+        let length = |displacement: &[f64]| sqrt(self.masses.iter().zip(displacement).map(|(m, u)| m * u * u).sum());
+        let before = length(&displacement);
+        for known in &self.members {
+            let along = dot(&known.weighted, &displacement);
+            axpy(&mut displacement, -along, &known.values);
+        }
+        let after = length(&displacement);
+        if after > NOTHING_NEW * before && after.is_finite() {
+            scale(&mut displacement, 1.0 / after);
+            self.members.push(Displacement::new(displacement, &self.masses));
+            self.push(coefficients);
+        }
+    }
+
+    /// Adds a clamped function, less what the others have of it; returns the share that was new, 0
+    /// where it was too little to add.
+    fn push(&mut self, mut coefficients: Vec<f64>) -> f64 {
+        let mut share = 1.0;
+        loop {
+            self.worked((2 * self.len() + 20) * coefficients.len());
+            let mut taken = 0.0;
+            for known in &self.functions[self.rigid..] {
+                let along = dot(&known.potential, &coefficients);
+                axpy(&mut coefficients, -along, &known.coefficients);
+                taken += along * along;
+            }
+            let elastic = self.elements.elastic_gradient(&coefficients);
+            let centrifugal = self.elements.centrifugal_gradient(&coefficients);
+            let left = dot(&elastic, &coefficients) + self.anchor * dot(&centrifugal, &coefficients);
+            let kept = sqrt(left / (left + taken));
+            share *= kept;
+            if !(kept > NOTHING_NEW && left.is_finite()) || share <= NOTHING_NEW {
+                return 0.0;
+            }
+            if kept > ONCE_MORE {
+                self.add(coefficients, elastic, centrifugal, 1.0 / sqrt(left));
+                return share;
+            }
+        }
+    }
+
+    /// Adds a clamped function times a factor.
+    fn add(&mut self, mut coefficients: Vec<f64>, mut elastic: Vec<f64>, mut centrifugal: Vec<f64>, factor: f64) {
+        for list in [&mut coefficients, &mut elastic, &mut centrifugal] {
+            scale(list, factor);
+        }
+        let potential = elastic.iter().zip(&centrifugal).map(|(k, c)| k + self.anchor * c).collect();
+        let displacement = Displacement::new(self.elements.displacement(&coefficients), &self.masses);
+        self.functions.push(Function { coefficients, displacement, elastic, centrifugal, potential });
+        let Some(new) = self.functions.last() else { return };
+        let row = |of: &dyn Fn(&Function) -> f64| self.functions.iter().map(of).collect();
+        self.elastic.push(row(&|f| dot(&f.elastic, &new.coefficients)));
+        self.centrifugal.push(row(&|f| dot(&f.centrifugal, &new.coefficients)));
+        self.inertia.push(row(&|f| dot(&f.displacement.weighted, &new.displacement.values)));
+    }
+
+    /// The `count` lowest modes within the subspace; in lag those of the flap-type problem.
+    pub(super) fn ritz(&self, speed_squared: f64, count: usize) -> Result<Eigen, EigenError> {
+        let mut g = symmetric(&self.elastic) + symmetric(&self.centrifugal) * speed_squared;
+        let m = symmetric(&self.inertia);
+        if let RootCondition::Spring(spring) = self.elements.grid().condition() {
+            g[(0, 0)] += spring;
+        }
+        self.worked(15 * self.len() * self.len() * self.len());
+        lowest(&g, &m, count)
+    }
+
+    /// The displacement of a sum of the functions at the points of the grid.
+    pub(super) fn displacement(&self, coordinates: &[f64]) -> Vec<f64> {
+        let mut displacement = vec![0.0; self.elements.grid().len()];
+        for (function, factor) in self.functions.iter().zip(coordinates) {
+            axpy(&mut displacement, *factor, &function.displacement.values);
+        }
+        displacement
+    }
+
+    /// Energies of all functions.
+    pub(super) fn energies(&self) -> Energies {
+        let mut root_rotation = vec![0.0; self.len()];
+        root_rotation[..self.rigid].fill(1.0);
+        Energies {
+            inertia: symmetric(&self.inertia),
+            elastic: symmetric(&self.elastic),
+            centrifugal: symmetric(&self.centrifugal),
+            first_moment: self.functions.iter().map(|f| f.displacement.weighted.iter().sum()).collect(),
+            root_rotation,
+        }
+    }
+
+    /// Strain coefficients of sums of the clamped functions, one column of `coordinates` per sum.
+    pub(super) fn coefficients(&self, coordinates: &DMatrix<f64>) -> DMatrix<f64> {
+        let elastic = &self.functions[self.rigid..];
+        let columns: Vec<f64> = elastic.iter().flat_map(|f| f.coefficients.iter().copied()).collect();
+        DMatrix::from_vec(self.elements.mesh.count(), elastic.len(), columns) * coordinates
+    }
+}
+
+impl Displacement {
+    fn new(values: Vec<f64>, masses: &[f64]) -> Self {
+        let weighted = masses.iter().zip(&values).map(|(m, u)| m * u).collect();
+        Self { values, weighted }
+    }
+}
+
+/// The matrix whose lower triangle has these rows.
+fn symmetric(rows: &[Vec<f64>]) -> DMatrix<f64> {
+    DMatrix::from_fn(rows.len(), rows.len(), |i, j| rows[i.max(j)][i.min(j)])
+}

@@ -1,0 +1,150 @@
+// What-if sliders: stiffness, mass, offsets and springs changed for a look, beside the blade as it is.
+
+import { at } from "../lib/dom.js";
+import { fieldNumber, fieldValue } from "../lib/format.js";
+import { NEUTRAL, isNeutral, points, scaled } from "../lib/scale.js";
+import { unitOf } from "../lib/unit-words.js";
+
+const FACTORS = { flap_stiffness: "Flap stiffness", lag_stiffness: "Lag stiffness", torsion_stiffness: "Torsion stiffness", mass: "Mass" };
+const DOFS = { flap: "Flap", lag: "Lag", torsion: "Torsion" };
+/** Sliders of factors go from a quarter to four times, evenly in the logarithm. */
+const OCTAVES = 2;
+/** Farthest that an offset's slider goes, as a share of the radius. */
+const FARTHEST = 0.3;
+
+function row(name, key, { min, max, step }) {
+  const div = document.createElement("div");
+  div.className = "slider";
+  div.dataset.key = key;
+  const id = `what-if-${key.replace(".", "-")}`;
+  const label = Object.assign(document.createElement("label"), { htmlFor: id, textContent: name });
+  const slider = Object.assign(document.createElement("input"), { type: "range", id, min, max, step });
+  const exact = Object.assign(document.createElement("input"), { type: "text", inputMode: "decimal", ariaLabel: `${name}, exact` });
+  const unit = Object.assign(document.createElement("span"), { className: "unit" });
+  div.append(label, slider, exact, unit);
+  return div;
+}
+
+/** Which sliders this blade has: stiffnesses and mass, an offset per root, a spring where there is one. */
+function plan(doc) {
+  const rows = Object.entries(FACTORS).map(([key, name]) => ({ key: `factors.${key}`, name }));
+  for (const [dof, name] of Object.entries(DOFS)) {
+    if (doc[dof]?.root !== "hingeless" && dof !== "torsion") rows.push({ key: `offsets.${dof}`, name: `${name} hinge offset` });
+    if (typeof doc[dof]?.spring === "number" && doc[dof].spring > 0) rows.push({ key: `springs.${dof}`, name: `${name} spring` });
+  }
+  return rows;
+}
+
+/** Where a root's offset may go: properties must reach inward to it. */
+function offsetRange(doc, dof) {
+  const radius = doc.rotor?.radius ?? 1;
+  const inner = ["mass", `${dof}_stiffness`].map((name) => (doc.distribution?.[name] === undefined ? 0 : points(doc, name).r[0] ?? 0));
+  return { min: Math.max(0, ...inner.filter(Number.isFinite)), max: FARTHEST * radius };
+}
+
+function offsetOf(doc, dof) {
+  const { offset, offset_ratio: ratio } = doc[dof] ?? {};
+  return offset ?? (ratio === undefined ? 0 : ratio * doc.rotor.radius);
+}
+
+/** Makes the sliders; the changed blade is what is solved. */
+export function startWhatIf(store, blade) {
+  const host = at("what-if");
+  const rows = document.createElement("div");
+  rows.className = "sliders";
+  const range = Object.assign(document.createElement("div"), { className: "what-if-range" });
+  const ends = ["from", "to"].map((name) => {
+    const select = Object.assign(document.createElement("select"), { id: `what-if-${name}` });
+    const label = Object.assign(document.createElement("label"), { className: "field", textContent: name === "from" ? "Scaled from " : "to " });
+    label.append(select);
+    range.append(label);
+    select.addEventListener("change", () => set({ [name]: select.value === "" ? null : Number(select.value) }));
+    return select;
+  });
+  const buttons = Object.assign(document.createElement("div"), { className: "what-if-buttons" });
+  const [reset, keep] = ["Reset", "Keep in the blade"].map((text) => Object.assign(document.createElement("button"), { type: "button", textContent: text }));
+  reset.id = "what-if-reset";
+  keep.id = "what-if-keep";
+  buttons.append(reset, keep);
+  host.append(rows, range, buttons);
+  let planned = "";
+
+  const set = (change) => store.set({ whatIf: { ...store.get().whatIf, ...change } });
+
+  function choose(key, value) {
+    const [table, name] = key.split(".");
+    const { whatIf } = store.get();
+    set({ [table]: { ...whatIf[table], [name]: value } });
+  }
+
+  function valueOf(key, { doc, whatIf }) {
+    const [table, name] = key.split(".");
+    if (table === "offsets") return whatIf.offsets[name] ?? offsetOf(doc, name);
+    return whatIf[table][name] ?? 1;
+  }
+
+  function fit(doc) {
+    const wanted = plan(doc);
+    const signature = wanted.map((row) => row.key).join();
+    if (signature !== planned) {
+      planned = signature;
+      rows.replaceChildren(...wanted.map(({ key, name }) => row(name, key, key.startsWith("offsets") ? {} : { min: -OCTAVES, max: OCTAVES, step: 0.01 })));
+    }
+    for (const { key } of wanted.filter(({ key }) => key.startsWith("offsets"))) {
+      const slider = rows.querySelector(`[data-key="${key}"] input[type="range"]`);
+      const { min, max } = offsetRange(doc, key.split(".")[1]);
+      Object.assign(slider, { min, max, step: (max - min) / 500 || "any" });
+    }
+    const radii = [...new Set((doc.distribution?.r ?? []).filter(Number.isFinite))];
+    ends.forEach((select, i) => {
+      const whole = i === 0 ? "root" : "tip";
+      select.replaceChildren(new Option(whole, ""), ...radii.map((r) => new Option(fieldNumber(r), r)));
+    });
+    range.hidden = radii.length < 2;
+  }
+
+  function show(state) {
+    const { doc, whatIf } = state;
+    for (const div of rows.children) {
+      const { key } = div.dataset;
+      const [slider, exact] = div.querySelectorAll("input");
+      const value = valueOf(key, state);
+      const isOffset = key.startsWith("offsets");
+      if (slider !== document.activeElement || isOffset === false) slider.value = isOffset ? value : Math.log2(value);
+      const words = isOffset ? fieldNumber(Number(value.toPrecision(4))) : value.toFixed(2);
+      const unit = isOffset ? unitOf("length", doc.units) : "×";
+      slider.setAttribute("aria-valuetext", `${words} ${isOffset ? unit : "times"}`);
+      if (exact !== document.activeElement) exact.value = words;
+      div.querySelector(".unit").textContent = unit;
+    }
+    ends[0].value = whatIf.from ?? "";
+    ends[1].value = whatIf.to ?? "";
+    const neutral = isNeutral(whatIf);
+    reset.disabled = neutral && whatIf.from === null && whatIf.to === null;
+    keep.disabled = neutral;
+    host.classList.toggle("changed", !neutral);
+  }
+
+  rows.addEventListener("input", ({ target }) => {
+    const { key } = target.closest(".slider").dataset;
+    if (target.type === "range") {
+      const value = key.startsWith("offsets") ? target.valueAsNumber : Number((2 ** target.valueAsNumber).toPrecision(4));
+      return choose(key, value);
+    }
+    const value = fieldValue(target.value);
+    if (typeof value === "number" && (key.startsWith("offsets") ? value >= 0 : value > 0)) choose(key, value);
+  });
+  rows.addEventListener("focusout", () => store.get().doc && show(store.get()));
+  reset.addEventListener("click", () => store.set({ whatIf: NEUTRAL }));
+  keep.addEventListener("click", () => {
+    const { doc, whatIf } = store.get();
+    const kept = scaled(doc, whatIf);
+    store.set({ whatIf: NEUTRAL });
+    blade.edit((copy) => Object.assign(copy, kept));
+  });
+  store.subscribe((state, changed) => {
+    if (state.doc === null) return;
+    if (changed.has("doc")) fit(state.doc);
+    if (changed.has("doc") || changed.has("whatIf")) show(state);
+  });
+}

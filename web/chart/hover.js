@@ -1,0 +1,140 @@
+// What stands at the pointer, or where the keys have gone: branch, speed, frequency, nearest harmonic.
+
+import { at, element } from "../lib/dom.js";
+import { fieldNumber, figures, marginWords } from "../lib/format.js";
+import { perRev } from "./frame.js";
+
+/** A branch is meant from this near, in pixels of the screen. */
+const REACH = { mouse: 28, pen: 28, touch: 48 };
+/** The keys go along a branch in so many steps. */
+const STEPS = 100;
+
+/** The lines of the readout. */
+export function words(branch, frequency, speed, unit, shownSpeed) {
+  const { per_rev: ratio, ...margin } = perRev(frequency, speed);
+  return [
+    `${branch.label} at ${fieldNumber(shownSpeed, 4)} ${unit}`,
+    `${figures(frequency)} rad/s, ${figures(frequency / (2 * Math.PI))} Hz${ratio === null ? "" : `, ${ratio.toFixed(3)}/rev`}`,
+    ...(ratio === null ? [] : [marginWords(margin, "/rev")]),
+  ];
+}
+
+/** The point of a branch nearest to a pixel, at the pixel's speed; the distance is across the branch. */
+export function nearest(frame, { x, y }) {
+  const speed = frame.speed(x);
+  const beside = frame.speed(x < frame.right - 2 ? x + 2 : x - 2);
+  let best = null;
+  for (const point of frame.points(speed)) {
+    const slope = (frame.y(frame.frequency(point.branch, beside), beside) - point.y) / (frame.x(beside) - frame.x(speed));
+    const distance = Math.abs(y - point.y) / Math.hypot(1, slope);
+    if (best === null || distance < best.distance) best = { ...point, speed, distance };
+  }
+  return best;
+}
+
+/** Makes the readout; `onSpeed` hears of a speed chosen by Enter, in the unit of the axis. */
+export function startHover(chart, onSpeed) {
+  const { host } = chart;
+  const box = Object.assign(document.createElement("div"), { className: "readout", hidden: true });
+  box.setAttribute("aria-hidden", "true");
+  host.append(box);
+  const said = at("chart-said");
+  let place = null; // {point} of the pointer, or {label, speed} of the keys
+
+  function hide() {
+    place = null;
+    box.hidden = true;
+    chart.layers.hover.replaceChildren();
+  }
+
+  function put({ branch, frequency, speed, x, y }) {
+    const { frame } = chart;
+    const lines = words(branch, frequency, speed, frame.speedUnit, frame.shown(speed));
+    box.replaceChildren(...lines.map((text) => Object.assign(document.createElement("div"), { textContent: text })));
+    box.dataset.dof = branch.dof;
+    // Beside the point, on the side that has room.
+    box.classList.toggle("leftward", x > (frame.left + frame.right) / 2);
+    box.classList.toggle("downward", y < frame.top + 0.3 * frame.plot.height);
+    box.hidden = false;
+    chart.put(box, x, y);
+    chart.layers.hover.replaceChildren(element("circle", { cx: x, cy: y, r: 5.5, "data-dof": branch.dof }));
+    return lines;
+  }
+
+  function show() {
+    const { frame } = chart;
+    if (frame === null || place === null) return hide();
+    if (place.point) {
+      if (!frame.holds(place.point, 2)) return hide();
+      const found = nearest(frame, place.point);
+      const scale = host.clientWidth / frame.width;
+      if (found === null || found.distance * scale > place.reach) {
+        box.hidden = true;
+        chart.layers.hover.replaceChildren();
+        return;
+      }
+      return put(found);
+    }
+    const points = frame.points(place.speed);
+    const point = points.find(({ branch }) => branch.label === place.label);
+    if (point === undefined) return hide();
+    return put({ ...point, speed: place.speed });
+  }
+
+  const follow = (event) => {
+    if (chart.frame === null) return;
+    place = { point: chart.point(event), reach: REACH[event.pointerType] ?? REACH.mouse };
+    show();
+  };
+  host.addEventListener("pointermove", follow);
+  host.addEventListener("pointerdown", follow);
+  host.addEventListener("pointerleave", (event) => {
+    if (event.pointerType !== "touch" && place?.point) hide();
+  });
+  host.addEventListener("pointercancel", hide);
+  addEventListener("pointerdown", ({ target }) => {
+    if (!host.contains(target)) hide();
+  });
+
+  /** The keys begin at the middle of the chart, or where the pointer was. */
+  function begin(frame) {
+    const [from, to] = frame.speeds;
+    const speed = place?.point ? frame.speed(place.point.x) : place?.speed ?? (from + to) / 2;
+    if (place?.label) return { label: place.label, speed: Math.min(to, Math.max(from, speed)) };
+    const found = place?.point ? nearest(frame, place.point) : frame.points(speed)[0];
+    return found ? { label: found.branch.label, speed } : null;
+  }
+
+  /** From branch to branch by height, at the same speed. */
+  function climb(frame, { label, speed }, steps) {
+    const points = frame.points(speed).sort((a, b) => b.y - a.y);
+    const now = points.findIndex(({ branch }) => branch.label === label);
+    return points[Math.min(points.length - 1, Math.max(0, now + steps))]?.branch.label ?? label;
+  }
+
+  host.addEventListener("keydown", (event) => {
+    const { frame } = chart;
+    if (event.target !== host || frame === null || event.ctrlKey || event.metaKey || event.altKey) return;
+    const fresh = place === null || place.point !== undefined;
+    if (event.key === "Escape") return hide();
+    const along = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    const up = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+    const end = { Home: 0, End: 1 }[event.key];
+    if (event.key === "Enter" && place?.label) return onSpeed(frame.shown(place.speed));
+    if (along === undefined && up === undefined && end === undefined) return;
+    event.preventDefault();
+    place = begin(frame);
+    if (place === null) return;
+    const [from, to] = frame.speeds;
+    if (!fresh || end !== undefined) {
+      const step = ((event.shiftKey ? 10 : 1) * (to - from)) / STEPS;
+      if (along) place.speed = Math.min(to, Math.max(from, place.speed + along * step));
+      if (up) place.label = climb(frame, place, up);
+      if (end !== undefined) place.speed = [from, to][end];
+    }
+    const lines = show();
+    said.textContent = lines ? lines.join(", ") : "The branch leaves the chart here.";
+  });
+  host.addEventListener("blur", () => !place?.point && hide());
+  chart.onShow(show);
+}

@@ -1,0 +1,112 @@
+// What would move a mode that is near a harmonic: the blade solved again with a little more and a
+// little less of what holds the mode, and a straight line through both.
+
+import { at } from "../lib/dom.js";
+import { NEUTRAL, scaled } from "../lib/scale.js";
+import { optionsOf } from "../solver/keep-up.js";
+import { NEAR, nearModes } from "./nearness.js";
+
+const NAMES = { flap: "Flap", lag: "Lag", torsion: "Torsion" };
+/** The change that is solved, up and down. */
+const SHARE = 0.01;
+/** A change larger than this is no use, and too large for a straight line. */
+const MOST_PERCENT = 50;
+/** A mode that moves less than this per percent is hardly moved. */
+const HARDLY = 1e-3;
+/** So many modes are looked at, the nearest first. */
+const MOST_MODES = 3;
+const IDLE_MS = 300;
+
+/** What holds a mode of this kind, the usual first: [name, the blade with `factor` of it]. */
+function levers(blade, dof) {
+  const name = NAMES[dof];
+  const stiffness = `${dof}_stiffness`;
+  const found = [[`${name} stiffness`, (factor) => scaled(blade, { ...NEUTRAL, factors: { ...NEUTRAL.factors, [stiffness]: factor } })]];
+  const { root, spring, offset, offset_ratio: ratio } = blade[dof] ?? {};
+  if (spring > 0) found.push([`${name} spring`, (factor) => scaled(blade, { ...NEUTRAL, springs: { [dof]: factor } })]);
+  if (root !== "hingeless" && dof !== "torsion" && (offset > 0 || ratio > 0)) {
+    const place = offset ?? ratio * blade.rotor.radius;
+    found.push([`${name} hinge offset`, (factor) => scaled(blade, { ...NEUTRAL, offsets: { [dof]: place * factor } })]);
+  }
+  return found;
+}
+
+/** How far per percent a mode moves, in 1/rev: `less` and `more` are [percent, per rev], or null where it could not be solved. */
+export function slopeOf(now, less, more) {
+  const [a, b] = [less ?? [0, now], more ?? [0, now]];
+  return a[0] === b[0] ? null : (b[1] - a[1]) / (b[0] - a[0]);
+}
+
+/** The change in percent that brings the margin to `wanted`, away from the harmonic; null where it is no use. */
+export function changeFor(margin, slope, wanted = NEAR) {
+  const percent = ((margin < 0 ? -1 : 1) * wanted - margin) / slope;
+  return Number.isFinite(percent) && Math.abs(percent) <= MOST_PERCENT ? percent : null;
+}
+
+const twoFigures = (value) => String(Number(Math.abs(value).toPrecision(2)));
+const signed = (percent) => `${percent < 0 ? "−" : "+"}${twoFigures(percent)} %`;
+
+/**
+ * What moves a mode, in words, from what each lever does to it: "Flap stiffness +1 % moves 3F up by
+ * about 0.011/rev; about +3.6 % brings the margin to 0.1/rev."
+ */
+export function moverWords({ label, margin_per_rev: margin }, pulls) {
+  const idle = pulls.filter(({ slope }) => Math.abs(slope) < HARDLY).map(({ name }) => name);
+  const sentences = idle.length === 0 ? [] : [`${idle.join(" and ").replace(/ and ./g, (start) => start.toLowerCase())} hardly ${idle.length === 1 ? "moves" : "move"} ${label}.`];
+  for (const { name, slope } of pulls.filter(({ slope }) => Math.abs(slope) >= HARDLY)) {
+    const change = changeFor(margin, slope);
+    const moves = `${name} +1 % moves ${label} ${slope < 0 ? "down" : "up"} by about ${twoFigures(slope)}/rev`;
+    sentences.push(change === null ? `${moves}.` : `${moves}; about ${signed(change)} brings the margin to ${NEAR}/rev.`);
+  }
+  return sentences.join(" ");
+}
+
+/** Shows it from now on, some time after the last change. */
+export function startMovers(store, client) {
+  const list = at("movers");
+  let waiting;
+  let current = null; // the report that is looked at
+  let upTo; // the last harmonic that is looked at
+
+  /** One lever on one mode; null where a newer question has come in. */
+  async function pull(state, mode, [name, change]) {
+    const options = { ...optionsOf("modes", { ...state, speed: state.solvedSpeed }), dof: [mode.dof], modes: mode.number };
+    const ends = [];
+    for (const share of [-SHARE, SHARE]) {
+      const result = await client.call("sensitivity", "modes", change(1 + share), options);
+      if (result === null || current !== state.modes) return null;
+      const moved = result.status === "ok" ? result.value.modes.find(({ label }) => label === mode.label) : null;
+      ends.push(moved ? [100 * share, moved.per_rev] : null);
+    }
+    return { name, slope: slopeOf(mode.per_rev, ...ends) };
+  }
+
+  async function ask() {
+    const state = store.get();
+    const near = nearModes(state.modes.modes, upTo ?? 0).slice(0, MOST_MODES);
+    const said = [];
+    for (const mode of near) {
+      const pulls = [];
+      for (const lever of levers(state.blade, mode.dof)) {
+        const pulled = await pull(state, mode, lever);
+        if (pulled === null) return;
+        if (pulled.slope === null) continue;
+        pulls.push(pulled);
+        if (changeFor(mode.margin_per_rev, pulled.slope) !== null) break; // the usual one will do
+      }
+      const natural = mode.label === "1F" && mode.nearest_harmonic === 1 && state.blade.flap.root === "hinged" ? " 1F of a hinged blade lies near 1P." : "";
+      if (pulls.length > 0) said.push(Object.assign(document.createElement("li"), { textContent: moverWords(mode, pulls) + natural }));
+    }
+    list.replaceChildren(...said);
+  }
+
+  store.subscribe(({ modes, fan }, changed) => {
+    if (!(changed.has("modes") || changed.has("fan")) || modes === null) return;
+    if (modes === current && fan?.harmonics === upTo) return;
+    current = modes;
+    upTo = fan?.harmonics;
+    clearTimeout(waiting);
+    list.replaceChildren(); // they were of other numbers
+    waiting = setTimeout(ask, IDLE_MS);
+  });
+}

@@ -1,0 +1,109 @@
+// Keeps results in step with the state: what changed decides what is solved again.
+
+import { isNeutral, scaled } from "../lib/scale.js";
+
+/** Keys of the blade file: a fault whose path starts with one is the blade's, others are options'. */
+const BLADE_KEYS = /^(schema|name|notes|source|units|rotor|flap|lag|torsion|distribution)\b/;
+
+const NONE = [];
+/** The old list where the new one says the same, so that nobody hears of a change where there is none. */
+const sameOr = (old, fresh) => (JSON.stringify(old) === JSON.stringify(fresh) ? old : fresh);
+
+/** What the tab draws: the fan chart stays in sight beside the tables and texts of the blade. */
+export const kindOf = (tab) => (tab === "shapes" || tab === "converge" ? tab : "fan");
+
+/** Whether the chart shares its place with a table or text of the blade. */
+export const isShared = (tab) => kindOf(tab) === "fan" && tab !== "fan";
+
+/** Options of the package for this state, by analysis; the speed as the user gave it, nominal where not. */
+export function optionsOf(analysis, { options, speed, band, window }) {
+  const { modes, functions, harmonics, basis } = options;
+  const at = { modes, speed: speed === null ? null : `${speed.value}${speed.unit}` };
+  if (analysis === "fan") return { modes, functions, harmonics, basis, band, speeds: window?.speeds };
+  if (analysis === "converge") return at;
+  return { ...at, functions, basis };
+}
+
+/** Options of a drawing for this state. */
+export function looksOf(kind, state) {
+  const { theme, width, height, speedUnit: speed_unit, frequencyUnit: frequency_unit, dofs, closeDofs, measured, window } = state;
+  const looks = { ...optionsOf(kind, state), theme, width, speed_unit, frequency_unit };
+  if (kind !== "fan") return { ...looks, dof: closeDofs };
+  return { ...looks, height, dof: dofs, measured: measured || null, frequencies: window?.frequencies };
+}
+
+/** A result that came late is of use while it is of this blade and of what is looked at now. */
+const isOf = (state, now) => state.opened === now.opened && kindOf(state.tab) === kindOf(now.tab);
+
+/** Starts solving: every change of the state's inputs leads to new results in the state. */
+export function startKeepingUp(store, client) {
+  const faultsOf = { modes: [], draw: [] };
+
+  /** Takes a result of one lane into the state; a superseded one (null) is dropped. */
+  function take(lane, solved, result, accept) {
+    if (result === null) return;
+    faultsOf[lane] = result.status === "ok" ? [] : result.faults;
+    const all = Object.values(faultsOf).flat();
+    const distinct = all.filter((fault, i) => all.findIndex((f) => f.path === fault.path && f.message === fault.message) === i);
+    const only = (good) => (distinct.length === 0 ? NONE : distinct.filter(good));
+    const faults = only((fault) => BLADE_KEYS.test(fault.path));
+    const solveFaults = only((fault) => !BLADE_KEYS.test(fault.path));
+    store.set({ faults, solveFaults, ...(result.status === "ok" ? { blade: solved, warnings: sameOr(store.get().warnings, result.warnings), ...accept(result.value) } : {}) });
+  }
+
+  async function modes(state, solved) {
+    const { opened, speed } = state;
+    const result = await client.call("modes", "modes", solved, optionsOf("modes", state));
+    if (opened === store.get().opened) take("modes", solved, result, (value) => ({ modes: value, solvedSpeed: speed }));
+  }
+
+  // The frequency axis stays while what-if moves the branches: else it is the axis that seems to move.
+  let held = { axis: null };
+
+  async function draw(state, solved) {
+    const kind = kindOf(state.tab);
+    const looks = looksOf(kind, state);
+    const ours = held;
+    if (kind === "fan" && state.window === null) looks.frequencies = held.axis;
+    const result = await client.call("draw", "chart_svg", kind, solved, looks);
+    if (kind === "fan" && state.window === null && result?.status === "ok") {
+      const { from, to } = result.value.plots[0].y;
+      ours.axis ??= [from, to];
+    }
+    if (isOf(state, store.get())) take("draw", solved, result, ({ report, ...drawing }) => ({
+      drawing: { kind, name: report.blade, ...drawing, report },
+      ...(kind === "fan" ? { fan: report } : {}),
+    }));
+  }
+
+  /**
+   * A fan chart's numbers alone, into the key of the state that is also its lane: `fan` while another
+   * chart is drawn, whose speeds and harmonics the page needs; `before` of the blade without what-if.
+   */
+  async function numbers(key, state, blade) {
+    const result = await client.call(key, "fan", blade, { ...optionsOf("fan", state), dof: state.dofs });
+    const wanted = key === "fan" || !isNeutral(store.get().whatIf);
+    if (result?.status === "ok" && state.doc === store.get().doc && wanted) store.set({ [key]: result.value });
+  }
+
+  store.subscribe((state, changed) => {
+    const any = (...keys) => keys.some((key) => changed.has(key));
+    if (state.doc === null || state.width === 0) return;
+    const solves = any("doc", "whatIf", "options") || (any("width") && state.drawing === null);
+    const kind = kindOf(state.tab);
+    const looks = any("theme", "width", "height", "speedUnit", "frequencyUnit") || (any("tab") && kind !== state.drawing?.kind);
+    const chart = kind === "fan" ? any("dofs", "band", "measured", "window") : any("speed", "closeDofs");
+    if (any("doc", "options", "frequencyUnit", "dofs", "measured", "window") || (any("whatIf") && isNeutral(state.whatIf))) held = { axis: null };
+    if (solves || looks || chart || any("speed")) {
+      const solved = scaled(state.doc, state.whatIf);
+      if (solves || looks || chart) draw(state, solved);
+      if (solves && kind !== "fan") numbers("fan", state, solved);
+      if (solves || any("speed")) modes(state, solved);
+    }
+    if (isNeutral(state.whatIf)) {
+      if (state.before !== null) store.set({ before: null });
+    } else if (any("doc", "whatIf", "options", "window", "dofs") && (state.before === null || !any("whatIf"))) {
+      numbers("before", state, state.doc);
+    }
+  });
+}
