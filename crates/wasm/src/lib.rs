@@ -6,6 +6,7 @@
 
 #![allow(clippy::missing_errors_doc, reason = "the same for every export, and said above")]
 
+mod chart;
 mod options;
 mod reply;
 mod tree;
@@ -18,9 +19,9 @@ use crate::options::Analysis;
 use crate::reply::reply;
 use bladefan_core::VERSION;
 use bladefan_core::analysis;
-use bladefan_core::blade::Blade;
-use bladefan_core::chart::{self, Drawing, PlotArea};
-use bladefan_core::fault::{Fault, FaultCode};
+use bladefan_core::blade::{self, Blade};
+use bladefan_core::chart::{self as draw, Drawing, PlotArea};
+use bladefan_core::fault::{Fault, FaultCode, Faults};
 use bladefan_core::formats::{self, BladeFile, Tree};
 use bladefan_core::report::FanChart;
 #[cfg(feature = "whole")]
@@ -88,7 +89,7 @@ pub fn chart_svg(
 ) -> Answer {
     let Some(analysis) = kind.as_string().and_then(|name| Analysis::of_chart(&name)) else {
         let rule = "must be fan, shapes or converge";
-        return reply::<()>(Err(vec![Fault::new(FaultCode::UnknownChoice, "kind", kind.as_string(), rule, rule)]));
+        return reply::<()>(Err(Fault::new(FaultCode::UnknownChoice, "kind", kind.as_string(), rule, rule).into()));
     };
     solve(blade, options::settings_and_looks(options, analysis), |blade, (settings, looks)| {
         let looks = looks.chart_options(settings);
@@ -96,19 +97,53 @@ pub fn chart_svg(
             #[cfg(feature = "whole")]
             Analysis::Shapes => {
                 let report = analysis::shapes(blade, settings)?;
-                Drawn::new(chart::shapes(&report, &looks), Report::Shapes(report))
+                Drawn::new(draw::shapes(&report, &looks), Report::Shapes(report))
             }
             #[cfg(feature = "whole")]
             Analysis::Converge => {
                 let report = analysis::converge(blade, settings)?;
-                Drawn::new(chart::converge(&report, &looks), Report::Converge(report))
+                Drawn::new(draw::converge(&report, &looks), Report::Converge(report))
             }
             _ => {
                 let report = analysis::fan(blade, settings)?;
-                Drawn::new(chart::fan(&report, &looks), Report::Fan(report))
+                Drawn::new(draw::fan(&report, &looks), Report::Fan(report))
             }
         })
     })
+}
+
+/// A blade with changes, one after the other: what-if, sweeps and sensitivities are made of these.
+/// The changed blade is not checked; a blade that cannot be read gives the faults of its reading and
+/// its check.
+#[wasm_bindgen(unchecked_return_type = "Reply<ChangedBlade>")]
+pub fn change_blade(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Change[]")] changes: &JsValue,
+) -> Answer {
+    let given = read_tree(blade, "blade").and_then(|tree| {
+        formats::read_definition(&tree).map_err(|faults| formats::read_tree(&tree).err().unwrap_or(faults))
+    });
+    // Without a blade the faults of the changes are the same.
+    let units = given.as_ref().map(|definition| definition.units).unwrap_or_default();
+    let changes = tree::any(changes, "changes").map_err(Faults::from);
+    let changes = changes.and_then(|tree| formats::read_changes(&tree, units));
+    let changed = Faults::both(given, changes).and_then(|(given, changes)| blade::change(&given, &changes));
+    reply(changed.map(|changed| (changed, Vec::new())))
+}
+
+/// The branches of a fan chart, as `fan` gave it, at one rotor speed [rad/s] within it: read off between
+/// its speeds, nothing is solved. Empty for a chart of fewer than three speeds.
+#[wasm_bindgen(unchecked_return_type = "Reply<ModeAtSpeed[]>")]
+pub fn at_speed(
+    #[wasm_bindgen(unchecked_param_type = "FanChart")] chart: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "number")] speed: &JsValue,
+) -> Answer {
+    let speed = speed.as_f64().filter(|speed| speed.is_finite() && *speed >= 0.0);
+    let speed = speed.ok_or_else(|| tree::fault("speed", "must be a number of at least 0").into());
+    reply(Faults::both(chart::curves(chart), speed).map(|(chart, speed)| {
+        let branches = chart.branches.iter().map(|(label, frequencies)| (*label, frequencies.as_slice()));
+        (analysis::at_speed(&chart.speeds, branches, speed), Vec::new())
+    }))
 }
 
 /// Version of this program.
@@ -120,8 +155,8 @@ pub fn version() -> String {
 /// Solves with a blade and settings that may both be faulty: all faults at once.
 fn solve<S, R: Serialize>(
     blade: &JsValue,
-    settings: Result<S, Vec<Fault>>,
-    solve: impl FnOnce(&Blade, &S) -> Result<R, Vec<Fault>>,
+    settings: Result<S, Faults>,
+    solve: impl FnOnce(&Blade, &S) -> Result<R, Faults>,
 ) -> Answer {
     with(blade, settings, |file, settings| solve(&file.blade, settings))
 }
@@ -129,29 +164,21 @@ fn solve<S, R: Serialize>(
 /// The same with the blade as given and as checked.
 fn with<S, R: Serialize>(
     blade: &JsValue,
-    settings: Result<S, Vec<Fault>>,
-    answer: impl FnOnce(&BladeFile, &S) -> Result<R, Vec<Fault>>,
+    settings: Result<S, Faults>,
+    answer: impl FnOnce(&BladeFile, &S) -> Result<R, Faults>,
 ) -> Answer {
-    reply(both(read_blade(blade), settings).and_then(|(file, settings)| {
+    reply(Faults::both(read_blade(blade), settings).and_then(|(file, settings)| {
         let result = answer(&file, &settings)?;
-        Ok((result, file.blade.warnings().to_vec()))
+        Ok((result, analysis::warnings(&file.blade)))
     }))
 }
 
-/// Both, or the faults of both.
-fn both<A, B>(a: Result<A, Vec<Fault>>, b: Result<B, Vec<Fault>>) -> Result<(A, B), Vec<Fault>> {
-    match (a, b) {
-        (Ok(a), Ok(b)) => Ok((a, b)),
-        (a, b) => Err([a.err().unwrap_or_default(), b.err().unwrap_or_default()].concat()),
-    }
-}
-
-fn read_tree(value: &JsValue, name: &str) -> Result<Tree, Vec<Fault>> {
-    tree::tree(value, name).map_err(|fault| vec![fault])
+fn read_tree(value: &JsValue, name: &str) -> Result<Tree, Faults> {
+    Ok(tree::tree(value, name)?)
 }
 
 // Not into every export that takes a blade.
 #[inline(never)]
-fn read_blade(blade: &JsValue) -> Result<Box<BladeFile>, Vec<Fault>> {
+fn read_blade(blade: &JsValue) -> Result<Box<BladeFile>, Faults> {
     read_tree(blade, "blade").and_then(|tree| formats::read_tree(&tree)).map(Box::new)
 }

@@ -5,7 +5,7 @@ use super::{ConvergeArgs, FamilyArgs, FanArgs, Format, ModesArgs, ShapesArgs, So
 use crate::failure::Failure;
 use bladefan_core::analysis::Settings;
 use bladefan_core::chart::parse_frequencies;
-use bladefan_core::fault::{Fault, Warning};
+use bladefan_core::fault::{Faults, Warning};
 use bladefan_core::functions::BasisFamily;
 
 /// Options by the names that the core knows them by.
@@ -14,7 +14,7 @@ type Given<'a> = Vec<(&'static str, &'a Option<String>)>;
 /// Reads options into settings and checks them; every fault at once.
 fn read(given: Given<'_>) -> Result<Settings, Failure> {
     let settings = set(given)?;
-    checked(&settings.check()).map(|()| settings)
+    checked(settings.check()).map(|()| settings)
 }
 
 fn set(given: Given<'_>) -> Result<Settings, Failure> {
@@ -27,11 +27,11 @@ fn set(given: Given<'_>) -> Result<Settings, Failure> {
             faults.push(fault);
         }
     }
-    checked(&faults).map(|()| settings)
+    checked(Faults::from(faults).none()).map(|()| settings)
 }
 
-fn checked(faults: &[Fault]) -> Result<(), Failure> {
-    if faults.is_empty() { Ok(()) } else { Err(Failure::options(faults)) }
+fn checked(checked: Result<(), Faults>) -> Result<(), Failure> {
+    checked.map_err(|faults| Failure::options(&faults))
 }
 
 /// A warning about an option that has no effect.
@@ -112,7 +112,7 @@ impl ConvergeArgs {
         let mut given = vec![("speed", &self.speed.speed), ("up_to", &self.up_to), ("basis", &self.basis)];
         given.extend(self.solver.given());
         let settings = set(given)?;
-        checked(&settings.check_converge()).map(|()| settings)
+        checked(settings.check_converge()).map(|()| settings)
     }
 
     /// The options given that nothing of the result shows.

@@ -14,6 +14,7 @@ use crate::render::{csv, json, picture};
 use bladefan_core::analysis::{self, Settings};
 use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::dof::Dof;
+use bladefan_core::label::Label;
 use bladefan_core::report::{Coincidence, ComparedPoint, FanChart};
 use bladefan_core::units::{hz, rpm};
 use core::fmt::Write as _;
@@ -88,7 +89,7 @@ fn table(chart: &FanChart, settings: &Settings, compared: Option<&[ComparedPoint
     text
 }
 
-fn dof(chart: &FanChart, label: &str) -> Option<Dof> {
+fn dof(chart: &FanChart, label: Label) -> Option<Dof> {
     chart.branches.iter().find(|branch| branch.label == label).map(|branch| branch.dof)
 }
 
@@ -168,7 +169,7 @@ fn near(chart: &FanChart, settings: &Settings) -> Table {
     ]);
     for at in chart.crossings_in(settings.band) {
         table.row([
-            Cell::label(&at.label, dof(chart, &at.label)),
+            Cell::label(&at.label, dof(chart, at.label)),
             Cell::text(format!("{}P", at.harmonic)),
             Cell::number(rpm(at.speed_rad_s), 5),
             Cell::number(at.speed_rad_s, 5),
@@ -191,7 +192,7 @@ fn points(chart: &FanChart, compared: &[ComparedPoint]) -> Table {
     ]);
     for point in compared {
         table.row([
-            Cell::label(&point.label, dof(chart, &point.label)),
+            Cell::label(&point.label, dof(chart, point.label)),
             Cell::number(rpm(point.speed_rad_s), 4),
             Cell::number(point.frequency_rad_s, 5),
             Cell::maybe(point.computed_rad_s, 5),

@@ -3,7 +3,7 @@
 use super::progress;
 use crate::failure::{Failure, reason};
 use bladefan_core::blade::Blade;
-use bladefan_core::fault::Fault;
+use bladefan_core::fault::Faults;
 use bladefan_core::formats::{self, BladeFile, Format};
 use bladefan_core::library;
 use std::fs::File;
@@ -32,7 +32,7 @@ impl Input {
     pub(crate) fn ask<T>(
         &self,
         what: &'static str,
-        question: impl FnOnce(&Blade) -> Result<T, Vec<Fault>>,
+        question: impl FnOnce(&Blade) -> Result<T, Faults>,
     ) -> Result<T, Failure> {
         let answer = progress::with(what, || question(&self.file.blade));
         answer.map_err(|faults| Failure::faults(&self.name, &faults))

@@ -23,7 +23,7 @@ mod tests {
         let path = folder.path().join("test.csv");
         fs::write(&path, "label,speed,frequency,source\n1F,1,2,test\n").unwrap();
         let points = read(&path).unwrap();
-        assert_eq!(points.iter().map(|point| point.label.as_str()).collect::<Vec<_>>(), ["1F"]);
+        assert_eq!(points.iter().map(|point| point.label.to_string()).collect::<Vec<_>>(), ["1F"]);
 
         fs::write(&path, "# a remark\nlabel,speed,frequency,source\n1F,1,x,test\n").unwrap();
         let message = format!("{}:3:6: points[0].frequency: must be a number (is \"x\")", path.display());

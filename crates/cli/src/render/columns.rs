@@ -38,6 +38,7 @@ pub(crate) fn pick(len: usize, most: usize) -> Vec<usize> {
 mod tests {
     use super::super::table::Table;
     use super::*;
+    use bladefan_core::{Dof, Label};
 
     #[test]
     fn picked_rows_are_evenly_spaced_where_possible() {
@@ -50,7 +51,8 @@ mod tests {
 
     #[test]
     fn margins_have_signs_and_there_is_none_at_rest() {
-        let margin = Margin { label: "2F".into(), per_rev: 2.689, nearest_harmonic: 3, margin_per_rev: -0.311 };
+        let margin =
+            Margin { label: Label::new(Dof::Flap, 2), per_rev: 2.689, nearest_harmonic: 3, margin_per_rev: -0.311 };
         let mut table = Table::new(MARGIN_COLUMNS);
         table.row(margin_cells(Some(&margin)));
         table.row(margin_cells(None));

@@ -93,7 +93,7 @@ pub(crate) fn modes(report: &ModesReport) -> Result<String, Failure> {
             [
                 words(&report.blade),
                 number(report.speed_rad_s),
-                words(&mode.label),
+                mode.label.to_string(),
                 words(mode.dof.name()),
                 mode.number.to_string(),
                 number(mode.frequency_rad_s),
@@ -157,7 +157,7 @@ pub(crate) fn converge(report: &ConvergeReport) -> Result<String, Failure> {
         families(series).into_iter().flat_map(move |(family, functions, values)| {
             functions.into_iter().zip(values).map(move |(count, value)| {
                 [
-                    words(&series.label),
+                    series.label.to_string(),
                     words(family.name()),
                     count.to_string(),
                     maybe(value),

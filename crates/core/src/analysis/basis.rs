@@ -4,7 +4,7 @@ use super::settings::Settings;
 use crate::blade::Blade;
 use crate::converged::{Converged, Wanted, Work};
 use crate::dof::Dof;
-use crate::fault::Fault;
+use crate::fault::Faults;
 use crate::functions::{AssumedFunctions, BasisFamily};
 use crate::lagrange::{
     Bounds, Energies, Fields, FromTip, Grid, Reference, SystemMatrices, assemble, bounds, classical_functions, system,
@@ -59,7 +59,7 @@ impl Basis {
         wanted: &Wanted,
         rules: &GaussRules,
         work: &mut Work,
-    ) -> Result<Self, Vec<Fault>> {
+    ) -> Result<Self, Faults> {
         Ok(match settings.basis {
             BasisFamily::Classical => {
                 Self::Classical(Box::new(Classical::new(blade, dof, settings.functions, rules, false)))
@@ -146,17 +146,17 @@ pub(super) fn converged(
     wanted: &Wanted,
     rules: &GaussRules,
     work: &mut Work,
-) -> Result<Converged, Vec<Fault>> {
+) -> Result<Converged, Faults> {
     Converged::new(blade, dof, wanted, rules, work)
         .map_err(|cause| super::unsolvable(SolveError { dofs: system(dof).dofs, cause }))
 }
 
 /// That converged functions gave no answer.
-pub(super) fn failed(found: &Converged, cause: EigenError) -> Vec<Fault> {
+pub(super) fn failed(found: &Converged, cause: EigenError) -> Faults {
     super::unsolvable(SolveError { dofs: found.matrices().dofs(), cause })
 }
 
-pub(super) fn solve(matrices: &SystemMatrices, speed: f64, count: usize) -> Result<Vec<Mode>, Vec<Fault>> {
+pub(super) fn solve(matrices: &SystemMatrices, speed: f64, count: usize) -> Result<Vec<Mode>, Faults> {
     modes::solve(matrices, speed * speed, count).map_err(super::unsolvable)
 }
 

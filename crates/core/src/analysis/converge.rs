@@ -1,12 +1,13 @@
 //! Frequency against the number of assumed functions.
 
 use super::basis::{Basis, Classical, converged, separated, solve};
-use super::{Settings, available, label, none, note, note_bounds, note_fewer, unsolvable};
+use super::{Settings, available, note, note_bounds, note_fewer, unsolvable, warnings};
 use crate::blade::Blade;
 use crate::converged::{Converged, TOLERANCE, Wanted, Work};
 use crate::dof::Dof;
-use crate::fault::Fault;
+use crate::fault::Faults;
 use crate::functions::MOST_ORDER;
+use crate::label::Label;
 use crate::lagrange::system;
 use crate::modes::{Mode, SolveError};
 use crate::numerics::quadrature::GaussRules;
@@ -22,8 +23,8 @@ use alloc::vec::Vec;
 ///
 /// # Errors
 /// Faults in the settings, or equations without an answer.
-pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Vec<Fault>> {
-    none(settings.check_converge())?;
+pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Faults> {
+    settings.check_converge()?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
     let mut report = ConvergeReport {
@@ -32,7 +33,7 @@ pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Ve
         speed_rad_s: speed,
         functions: (1..=settings.up_to).collect(),
         series: Vec::new(),
-        warnings: blade.warnings().to_vec(),
+        warnings: warnings(blade),
     };
     let square = speed * speed;
     for dof in settings.ordered_dofs() {
@@ -57,7 +58,7 @@ pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Ve
         note_fewer(&mut report.warnings, dof, solved.len(), settings.modes);
         note(&mut report.warnings, dof, error);
         report.series.extend(values.into_iter().enumerate().map(|(index, classical_rad_s)| ConvergeSeries {
-            label: label(dof, index + 1),
+            label: Label::new(dof, index + 1),
             dof,
             number: index + 1,
             classical_rad_s,
@@ -79,7 +80,7 @@ fn piecewise_steps(
     speed: f64,
     count: usize,
     rules: &GaussRules,
-) -> Result<Vec<(usize, Vec<Mode>)>, Vec<Fault>> {
+) -> Result<Vec<(usize, Vec<Mode>)>, Faults> {
     let mut steps = Vec::new();
     for order in 1..=MOST_ORDER {
         let cause = |cause| unsolvable(SolveError { dofs: system(dof).dofs, cause });

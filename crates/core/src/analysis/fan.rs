@@ -2,10 +2,11 @@
 
 use super::basis::solve;
 use super::fitted::{Fitted, fitted};
-use super::{Settings, frequency, label, margin, none, note, note_fewer};
+use super::{Settings, frequency, margin, note, note_fewer, warnings};
 use crate::blade::Blade;
 use crate::fan::meet_rays;
-use crate::fault::Fault;
+use crate::fault::Faults;
+use crate::label::Label;
 use crate::numerics::quadrature::GaussRules;
 use crate::report::{BasisReport, Branch, Coincidence, Crossing, FanChart, FunctionCounts, Nominal, Southwell};
 use alloc::string::ToString;
@@ -16,8 +17,8 @@ use alloc::vec::Vec;
 ///
 /// # Errors
 /// Faults in the settings, or equations without an answer.
-pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Vec<Fault>> {
-    none(settings.check())?;
+pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
+    settings.check()?;
     let rules = GaussRules::new();
     let nominal = blade.nominal_speed();
     let range = settings.speeds_or(nominal);
@@ -33,7 +34,7 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Vec<Fault>> {
         crossings: Vec::new(),
         coincident: Vec::new(),
         nominal: Nominal { speed_rad_s: nominal, margins: Vec::new() },
-        warnings: blade.warnings().to_vec(),
+        warnings: warnings(blade),
     };
     for dof in settings.ordered_dofs() {
         // From rest, where the Southwell coefficients are taken, past nominal speed.
@@ -45,7 +46,7 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Vec<Fault>> {
         note(&mut chart.warnings, dof, error);
         note_fewer(&mut chart.warnings, dof, at_rest.len(), settings.modes);
         chart.branches.extend(at_rest.iter().enumerate().map(|(index, mode)| Branch {
-            label: label(dof, index + 1),
+            label: Label::new(dof, index + 1),
             dof,
             number: index + 1,
             frequency_rad_s: Vec::with_capacity(range.count),
@@ -60,17 +61,22 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Vec<Fault>> {
         }
         let rays = meet_rays(&curves, settings.harmonics);
         chart.crossings.extend(rays.crossings.iter().map(|crossing| Crossing {
-            label: label(dof, crossing.branch + 1),
+            label: Label::new(dof, crossing.branch + 1),
             harmonic: crossing.harmonic,
             speed_rad_s: crossing.speed,
             frequency_rad_s: crossing.frequency,
         }));
         chart.coincident.extend(
-            rays.coincident.iter().map(|&(branch, harmonic)| Coincidence { label: label(dof, branch + 1), harmonic }),
+            rays.coincident
+                .iter()
+                .map(|&(branch, harmonic)| Coincidence { label: Label::new(dof, branch + 1), harmonic }),
         );
         let at_nominal = solve(matrices, nominal, settings.modes)?;
         chart.nominal.margins.extend(
-            at_nominal.iter().enumerate().map(|(index, mode)| margin(label(dof, index + 1), mode.frequency / nominal)),
+            at_nominal
+                .iter()
+                .enumerate()
+                .map(|(index, mode)| margin(Label::new(dof, index + 1), mode.frequency / nominal)),
         );
     }
     Ok(chart)

@@ -8,7 +8,7 @@ use crate::blade::Blade;
 use crate::converged::{Converged, MOST_FUNCTIONS, TOLERANCE, Wanted, Work};
 use crate::dof::Dof;
 use crate::fan::{Curves, sample};
-use crate::fault::Fault;
+use crate::fault::Faults;
 use crate::modes::Mode;
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::maximum;
@@ -47,7 +47,7 @@ pub(super) fn fitted(
     range: (f64, f64),
     highest: f64,
     rules: &GaussRules,
-) -> Result<Fitted, Vec<Fault>> {
+) -> Result<Fitted, Faults> {
     let mut also_at: Vec<f64> = Vec::new();
     let mut work = Work::for_range();
     let mut attempt = 0;
@@ -96,7 +96,7 @@ fn poor(
     mut checked: Vec<(f64, f64)>,
     count: usize,
     rules: &GaussRules,
-) -> Result<(f64, Vec<f64>), Vec<Fault>> {
+) -> Result<(f64, Vec<f64>), Faults> {
     checked.retain(|(_, error)| !(*error <= TOLERANCE));
     checked.sort_by(|a, b| b.1.total_cmp(&a.1));
     let (mut worst, mut poor) = (0.0, Vec::<f64>::new());

@@ -1,6 +1,7 @@
 //! The facade: what the command line and the page call. It composes the other rooms and adds no
 //! formula of its own.
 
+mod at_speed;
 mod basis;
 mod compare;
 mod converge;
@@ -12,10 +13,11 @@ mod settings;
 mod shapes;
 mod summary;
 
+pub use at_speed::at_speed;
 pub use compare::compare;
 pub use converge::converge;
 pub use fan::fan;
-pub use model::MODEL;
+pub use model::{MODEL, Model, warnings};
 pub use modes::{margins, modes};
 pub use settings::{Settings, ShapeScale, SpeedRange};
 pub use shapes::shapes;
@@ -23,20 +25,16 @@ pub use summary::summary;
 
 use crate::converged::TOLERANCE;
 use crate::dof::Dof;
-use crate::fault::{Fault, FaultCode, Warning};
+use crate::fault::{Fault, FaultCode, Faults, Warning};
+use crate::label::Label;
 use crate::lagrange::SystemMatrices;
 use crate::modes::{Mode, SolveError, solve as solve_modes};
 use crate::numerics::eigen::EigenError;
 use crate::numerics::scalar::{maximum, round, sqrt};
 use crate::report::Margin;
 use alloc::format;
-use alloc::string::{String, ToString};
-use alloc::vec;
+use alloc::string::ToString;
 use alloc::vec::Vec;
-
-fn none(faults: Vec<Fault>) -> Result<(), Vec<Fault>> {
-    if faults.is_empty() { Ok(()) } else { Err(faults) }
-}
 
 /// As many modes as so few functions determine.
 fn available(matrices: &SystemMatrices, speed_squared: f64, count: usize) -> Result<Vec<Mode>, SolveError> {
@@ -47,15 +45,10 @@ fn available(matrices: &SystemMatrices, speed_squared: f64, count: usize) -> Res
     }
 }
 
-fn unsolvable(error: SolveError) -> Vec<Fault> {
+fn unsolvable(error: SolveError) -> Faults {
     let rule = "the equations of the degree of freedom must have an answer";
-    vec![Fault::new(
-        FaultCode::Unsolvable,
-        error.dofs.first().map_or("", |dof| dof.name()),
-        None,
-        rule,
-        error.to_string(),
-    )]
+    let dof = error.dofs.first().map_or("", |dof| dof.name());
+    Fault::new(FaultCode::Unsolvable, dof, None, rule, error.to_string()).into()
 }
 
 /// Says so where frequencies did not reach their tolerance.
@@ -95,12 +88,7 @@ fn note_fewer(warnings: &mut Vec<Warning>, dof: Dof, found: usize, asked: usize)
     }
 }
 
-/// `1F`, `2L`, …
-fn label(dof: Dof, number: usize) -> String {
-    format!("{number}{}", dof.letter())
-}
-
-fn margin(label: String, per_rev: f64) -> Margin {
+fn margin(label: Label, per_rev: f64) -> Margin {
     let nearest = round(per_rev).max(1.0);
     // A frequency of more than 4 billion per revolution keeps the largest harmonic there is.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at least 1; the cast saturates")]

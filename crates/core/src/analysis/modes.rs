@@ -1,11 +1,12 @@
 //! Frequencies at one speed.
 
 use super::basis::{Basis, Classical, converged, separated, solve};
-use super::{Settings, available, label, margin, none, note, note_bounds, note_fewer, unsolvable};
+use super::{Settings, available, margin, note, note_bounds, note_fewer, unsolvable, warnings};
 use crate::blade::Blade;
 use crate::converged::{Wanted, Work};
-use crate::fault::Fault;
+use crate::fault::Faults;
 use crate::functions::BasisFamily;
+use crate::label::Label;
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::{maximum, sqrt};
 use crate::report::{BasisReport, FunctionCounts, Margin, ModeReport, ModesReport};
@@ -19,8 +20,8 @@ use alloc::vec::Vec;
 ///
 /// # Errors
 /// Faults in the settings, or equations without an answer.
-pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Vec<Fault>> {
-    none(settings.check())?;
+pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Faults> {
+    settings.check()?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
     let square = speed * speed;
@@ -31,7 +32,7 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Vec<Faul
         basis: BasisReport { family: settings.basis, functions: FunctionCounts::default() },
         classical_functions: settings.functions,
         modes: Vec::new(),
-        warnings: blade.warnings().to_vec(),
+        warnings: warnings(blade),
     };
     for dof in settings.ordered_dofs() {
         let for_bounds = settings.basis == BasisFamily::Classical;
@@ -65,9 +66,9 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Vec<Faul
                 BasisFamily::Piecewise => Some(frequency),
             };
             let per_rev = units::per_rev(frequency, speed);
-            let margin = per_rev.map(|per_rev| margin(label(dof, index + 1), per_rev));
+            let margin = per_rev.map(|per_rev| margin(Label::new(dof, index + 1), per_rev));
             report.modes.push(ModeReport {
-                label: label(dof, index + 1),
+                label: Label::new(dof, index + 1),
                 dof,
                 number: index + 1,
                 frequency_rad_s: frequency,
@@ -92,5 +93,5 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Vec<Faul
 
 /// How far each mode is from the nearest harmonic, as at nominal speed in a fan chart; nothing at rest.
 pub fn margins(report: &ModesReport) -> Vec<Margin> {
-    report.modes.iter().filter_map(|mode| Some(margin(mode.label.clone(), mode.per_rev?))).collect()
+    report.modes.iter().filter_map(|mode| Some(margin(mode.label, mode.per_rev?))).collect()
 }

@@ -1,11 +1,12 @@
 //! Mode shapes along the span.
 
 use super::basis::{Basis, solve};
-use super::{Settings, ShapeScale, label, none, note, note_fewer};
+use super::{Settings, ShapeScale, note, note_fewer, warnings};
 use crate::blade::Blade;
 use crate::converged::{Wanted, Work};
 use crate::dof::Dof;
-use crate::fault::Fault;
+use crate::fault::Faults;
+use crate::label::Label;
 use crate::lagrange::{tabulate, torsion_norm};
 use crate::modes;
 use crate::numerics::quadrature::GaussRules;
@@ -17,8 +18,8 @@ use alloc::vec::Vec;
 ///
 /// # Errors
 /// Faults in the settings, or equations without an answer.
-pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Vec<Fault>> {
-    none(settings.check())?;
+pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Faults> {
+    settings.check()?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
     let (inner, radius) = (blade.least_offset(), blade.radius());
@@ -33,7 +34,7 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Vec<Fa
         r_m: Vec::new(),
         radius_m: radius,
         shapes: Vec::new(),
-        warnings: blade.warnings().to_vec(),
+        warnings: warnings(blade),
     };
     for dof in settings.ordered_dofs() {
         let basis =
@@ -54,11 +55,12 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Vec<Fa
         let sampled = modes::shapes(&[tables], &solved, speed * speed, norm.as_ref());
         let components = sampled.into_iter().flat_map(|shape| shape.components);
         report.shapes.extend(solved.iter().zip(components).enumerate().map(|(index, (mode, component))| ShapeReport {
-            label: label(dof, index + 1),
+            label: Label::new(dof, index + 1),
             dof,
             number: index + 1,
             frequency_rad_s: mode.frequency,
             orthogonality: orthogonality[index],
+            nodes_m: modes::nodes(&radii, &component.displacement),
             displacement: component.displacement,
             slope: component.slope,
             moment: component.moment,

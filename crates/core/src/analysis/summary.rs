@@ -1,6 +1,7 @@
 //! Mass, inertia and static moments.
 
-use crate::blade::{Blade, RootCondition, moments};
+use super::{Model, warnings};
+use crate::blade::{Blade, Property, RootCondition, moments};
 use crate::dof::Dof;
 use crate::report::{BladeSummary, DofSummary};
 use alloc::string::ToString;
@@ -33,12 +34,9 @@ pub fn summary(blade: &Blade) -> BladeSummary {
             inertia_kg_m2: if torsion { polar } else { second },
         }
     });
-    let mut stations: Vec<f64> = Dof::ALL
-        .into_iter()
-        .map(|dof| blade.stiffness(dof))
-        .chain([blade.mass(), blade.polar_inertia(), blade.mass_offset()])
-        .flat_map(|property| property.stations().iter().copied())
-        .collect();
+    let used = Property::ALL.into_iter().filter(|property| Model::UNCOUPLED.uses(*property));
+    let stations = used.flat_map(|property| blade.property(property).stations().iter().copied());
+    let mut stations: Vec<f64> = stations.collect();
     stations.sort_by(f64::total_cmp);
     stations.dedup();
     BladeSummary {
@@ -49,6 +47,6 @@ pub fn summary(blade: &Blade) -> BladeSummary {
         blades: blade.blades(),
         stations: stations.len(),
         dofs: dofs.collect(),
-        warnings: blade.warnings().to_vec(),
+        warnings: warnings(blade),
     }
 }

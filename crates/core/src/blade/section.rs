@@ -113,34 +113,21 @@ pub fn stretches(blade: &Blade, places: &[Place]) -> Vec<Stretch> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::blade::RotorDefinition;
-    use crate::blade::{BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, check};
-    use alloc::vec;
+    use crate::blade::{BladeDefinition, Property, RootDefinition, check};
 
     /// m = 2 up to r = 1, then 3 − r up to 2.
     fn tapered() -> Blade {
-        let root = |kind| Some(RootDefinition { root: Some(kind), ..RootDefinition::default() });
-        let one = || Some(PropertyDefinition::Uniform(1.0));
-        let mass = PropertyDefinition::OwnRadii { r: vec![0.0, 1.0, 1.0, 2.0], values: vec![2.0, 2.0, 2.0, 1.0] };
-        let offset = PropertyDefinition::OwnRadii { r: vec![0.0, 2.0], values: vec![0.0, 0.2] };
-        check(&BladeDefinition {
-            name: Some("tapered".into()),
-            rotor: Some(RotorDefinition { radius: Some(2.0), nominal_speed: Some(1.0), blades: None }),
-            flap: root(RootKind::Hingeless),
-            lag: root(RootKind::Hingeless),
-            torsion: root(RootKind::Rigid),
-            distribution: Some(DistributionDefinition {
-                mass: Some(mass),
-                flap_stiffness: one(),
-                lag_stiffness: one(),
-                torsion_stiffness: one(),
-                polar_inertia: one(),
-                mass_offset: Some(offset),
-                ..DistributionDefinition::default()
-            }),
-            ..BladeDefinition::default()
-        })
-        .unwrap()
+        let blade = BladeDefinition::new("tapered", 2.0, 1.0)
+            .with_flap(RootDefinition::hingeless(0.0))
+            .with_lag(RootDefinition::hingeless(0.0))
+            .with_torsion(RootDefinition::rigid(0.0))
+            .with(Property::Mass, [(0.0, 2.0), (1.0, 2.0), (1.0, 2.0), (2.0, 1.0)])
+            .with(Property::FlapStiffness, 1.0)
+            .with(Property::LagStiffness, 1.0)
+            .with(Property::TorsionStiffness, 1.0)
+            .with(Property::PolarInertia, 1.0)
+            .with(Property::MassOffset, [(0.0, 0.0), (2.0, 0.2)]);
+        check(&blade).unwrap()
     }
 
     #[test]

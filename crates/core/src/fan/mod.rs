@@ -1,7 +1,9 @@
 //! Frequencies over a range of rotor speeds: curves, and where they cross the nP rays.
 
+mod between;
 mod curves;
 mod rays;
 
+pub use between::between;
 pub use curves::{Curves, sample};
 pub use rays::{RayCrossing, Rays, meet_rays};
