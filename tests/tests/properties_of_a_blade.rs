@@ -52,7 +52,7 @@ fn every_property_is_read_and_written() {
 #[test]
 fn every_property_is_converted_by_its_unit() {
     for property in Property::ALL {
-        let given = base().with(property, 0.375);
+        let given = BladeDefinition { units: Units::default(), ..base() }.with(property, 0.375);
         let Some(PropertyDefinition::Uniform(found)) = of(&convert(&given, ODD), property) else { unreachable!() };
         // Numbers are written with 15 digits.
         assert!((found * property.unit(&ODD) - 0.375).abs() < 1e-14 * 0.375, "{property}: {found}");

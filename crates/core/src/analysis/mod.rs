@@ -73,7 +73,7 @@ fn frequency(eigenvalue: f64) -> f64 {
 fn note_bounds(warnings: &mut Vec<Warning>, dof: Dof, bounded: bool) {
     if !bounded {
         let message = format!(
-            "{dof} frequencies have no bounds: counting the modes along the blade does not confirm that none was missed"
+            "{dof} frequencies have no bounds: the modes could not be counted along the blade to confirm that none was missed"
         );
         warnings.push(Warning { path: dof.name().to_string(), message });
     }

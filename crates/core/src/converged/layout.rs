@@ -23,6 +23,9 @@ const MOST_ELEMENTS: usize = 2000;
 pub(super) const MOST_UNKNOWNS: usize = 30_000;
 /// A layer thinner than this part of a stretch is beyond what numbers of 53 bits resolve there.
 const THINNEST: f64 = 1e-9;
+/// A stiffness that tapers by more over an element is not resolved: cuts that would part it fall together
+/// in numbers of 53 bits, or would be too many. Two of the usual parts.
+const STEEPEST: f64 = 6.25;
 /// Part of a strain that the first orders may leave out; the eigenvalue's error is its square.
 const TRUNCATION: f64 = 2e-5;
 
@@ -33,6 +36,8 @@ pub(super) struct Layout {
     pub(super) radii: Vec<f64>,
     /// Polynomials per element.
     pub(super) orders: Vec<usize>,
+    /// Whether the stiffness of no element tapers by more than [`STEEPEST`].
+    pub(super) resolved: bool,
 }
 
 impl Layout {
@@ -94,7 +99,8 @@ pub(super) fn first_layout(blade: &Blade, dof: Dof, speed_squared: f64, count: u
     let pieces = pieces(blade, dof);
     let bending = Deformation::of(dof) == Deformation::Bending;
     let highest = highest_eigenvalue(&pieces, bending, speed_squared, count);
-    let mut layout = Layout { radii: Vec::new(), orders: Vec::new() };
+    let resolved = pieces.iter().all(|piece| piece.taper <= STEEPEST);
+    let mut layout = Layout { radii: Vec::new(), orders: Vec::new(), resolved };
     let most = (MOST_ELEMENTS / pieces.len()).clamp(1, MOST_PARTS);
     for piece in &pieces {
         let (slow, fast) = rates(piece, bending, speed_squared, highest);

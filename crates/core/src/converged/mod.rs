@@ -154,12 +154,15 @@ impl Converged {
         let mut last: Option<Self> = None;
         for _ in 0..MOST_ROUNDS {
             let elements = Elements::new(blade, dof, &layout, rules);
-            let (found, shares) = match Self::on(elements, wanted, rules, true, work) {
+            let (mut found, shares) = match Self::on(elements, wanted, rules, true, work) {
                 Ok(found) => found,
                 // A coarser answer is better than none.
                 Err(_) if last.is_some() => break,
                 Err(error) => return Err(error),
             };
+            if !layout.resolved {
+                found.counted = None;
+            }
             let error = found.error;
             // Where more polynomials do not help, it is speeds that are missing.
             let helped = last.as_ref().is_none_or(|last| error <= WORTHWHILE * last.error);

@@ -6,7 +6,7 @@
 use super::assembly::Energies;
 use super::equilibrium::FromTip;
 use super::fields::Fields;
-use super::grid::Grid;
+use super::grid::{Grid, Panel};
 use super::residual::residual_moments;
 use crate::blade::RootCondition;
 use crate::numerics::eigen::lowest;
@@ -162,10 +162,12 @@ fn lower_bounds(values: &[f64], energies: &DMatrix<f64>, first: usize, separatio
     bounds
 }
 
-/// How far rounding may have moved each eigenvalue: that of the sums of squares, and how far the
-/// eigenvalue lies from the Rayleigh quotient of its own fields.
+/// How far rounding may have moved each eigenvalue: that of the sums of squares, how far the eigenvalue
+/// lies from the Rayleigh quotient of its own fields, and what the stiffness at the points owes to the
+/// rounding of their radii. Where it tapers by many decades within a hair, that is all there is of it.
 fn rounding(grid: &Grid, fields: &Fields, values: &[f64], speed_squared: f64) -> Vec<f64> {
     let points = grid.len();
+    let uncertain: Vec<f64> = grid.panels().iter().flat_map(|panel| uncertainty(grid, panel)).collect();
     let energy = |a: &DMatrix<f64>, mode: usize, property: &[f64]| -> f64 {
         let column = &a.as_slice()[mode * points..(mode + 1) * points];
         grid.weight().iter().zip(property).zip(column).map(|((w, p), v)| w * p * v * v).sum()
@@ -179,8 +181,22 @@ fn rounding(grid: &Grid, fields: &Fields, values: &[f64], speed_squared: f64) ->
             if let RootCondition::Spring(spring) = grid.condition() {
                 potential += spring * fields.root_rotation[mode] * fields.root_rotation[mode];
             }
-            let quotient = potential / energy(&fields.displacement, mode, grid.inertia());
-            ROUNDING * value + (quotient - value).abs()
+            let inertia = energy(&fields.displacement, mode, grid.inertia());
+            let quotient = potential / inertia;
+            let of_radii = energy(&fields.strain, mode, &uncertain) / inertia;
+            // The room to spare has enough for an ordinary taper.
+            let of_radii = if of_radii > 0.1 * ROUNDING * value { of_radii } else { 0.0 };
+            ROUNDING * value + (quotient - value).abs() + of_radii
         })
         .collect()
+}
+
+/// How far the stiffness at each point of a panel may be off because its radius is rounded.
+fn uncertainty(grid: &Grid, panel: &Panel) -> Vec<f64> {
+    let points = panel.points.clone();
+    let elastic = &grid.elastic()[points.clone()];
+    let (Some(first), Some(last)) = (elastic.first(), elastic.last()) else { return Vec::new() };
+    // The stiffness is linear within a panel, and its outer points are near its ends.
+    let slope = 2.0 * (last - first).abs() / (panel.to - panel.from);
+    grid.radius()[points].iter().map(|r| 2.0 * f64::EPSILON * r * slope).collect()
 }
