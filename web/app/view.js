@@ -3,7 +3,7 @@
 import { OWN } from "../blade/document.js";
 import { summary } from "../chart/numbers.js";
 import { showSpeed } from "../chart/speed.js";
-import { at, write } from "../lib/dom.js";
+import { at, make, write } from "../lib/dom.js";
 import { listFaults } from "../lib/faults.js";
 import { basisWords, fieldNumber } from "../lib/format.js";
 import { shownSpeed, unitFactor } from "../lib/speed-words.js";
@@ -61,8 +61,14 @@ function showLastGood({ faults, solveFaults, textFaults, drawing }) {
   at("last-good").hidden = drawing === null || faults.length + solveFaults.length + textFaults.length === 0;
 }
 
-function showSolveFaults({ solveFaults }) {
+function showSolveFaults({ solveFaults, trouble }, tryAgain) {
   listFaults(at("solve-faults"), solveFaults);
+  if (trouble !== null) {
+    const button = make("button", { type: "button", textContent: "Try again" });
+    button.addEventListener("click", tryAgain);
+    at("solve-faults").append(make("li", {}, `${trouble} `, button));
+    at("solve-faults").hidden = false;
+  }
   at("speed-number").setAttribute("aria-invalid", String(solveFaults.some((fault) => fault.path === "speed")));
   for (const field of document.querySelectorAll("[data-option]")) {
     field.setAttribute("aria-invalid", String(solveFaults.some((fault) => fault.path === field.dataset.option)));
@@ -83,7 +89,7 @@ function showTab(tab) {
 }
 
 /** Shows every change of the state from now on. */
-export function startView(store, chart) {
+export function startView(store, chart, tryAgain) {
   let harmonics;
   store.subscribe((state, changed) => {
     const any = (...keys) => keys.some((key) => changed.has(key));
@@ -91,7 +97,7 @@ export function startView(store, chart) {
     if (any("faults")) listFaults(at("blade-faults"), state.faults);
     if (any("warnings")) showWarnings(state);
     if (any("library", "choice", "doc")) showSource(state);
-    if (any("solveFaults")) showSolveFaults(state);
+    if (any("solveFaults", "trouble")) showSolveFaults(state, tryAgain);
     if (any("faults", "solveFaults", "textFaults", "drawing")) showLastGood(state);
     if (state.about === null) return;
     if (any("drawing")) {

@@ -6,116 +6,31 @@
 
 #![allow(clippy::missing_errors_doc, reason = "the same for every export, and said above")]
 
+mod about;
+mod analyses;
+mod charts;
+mod files;
 mod options;
 mod reply;
 mod tree;
-#[cfg(feature = "whole")]
-mod whole;
-#[cfg(feature = "whole")]
-pub use whole::*;
 
-use crate::options::Analysis;
+pub use crate::about::*;
+pub use crate::analyses::*;
+pub use crate::charts::*;
+pub use crate::files::*;
+
 use crate::reply::reply;
-use bladefan_core::VERSION;
-use bladefan_core::analysis;
 use bladefan_core::blade::Blade;
-use bladefan_core::chart::{self, Drawing, PlotArea};
-use bladefan_core::fault::{Fault, FaultCode};
+use bladefan_core::fault::Fault;
 use bladefan_core::formats::{self, BladeFile, Tree};
-use bladefan_core::report::FanChart;
-#[cfg(feature = "whole")]
-use bladefan_core::report::{ConvergeReport, ShapesReport};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("types.ts");
 
-/// A drawing and what it shows, so that a page that draws need not solve again.
-#[derive(Serialize)]
-struct Drawn {
-    svg: String,
-    width: f64,
-    height: f64,
-    plots: Vec<PlotArea>,
-    report: Report,
-}
-
-impl Drawn {
-    fn new(Drawing { svg, width, height, plots }: Drawing, report: Report) -> Self {
-        Self { svg, width, height, plots, report }
-    }
-}
-
-/// The result behind a drawing.
-#[derive(Serialize)]
-#[serde(untagged)]
-enum Report {
-    Fan(FanChart),
-    #[cfg(feature = "whole")]
-    Shapes(ShapesReport),
-    #[cfg(feature = "whole")]
-    Converge(ConvergeReport),
-}
-
 /// What every export gives: a tagged object, or an exception by a mistake of ours.
 type Answer = Result<JsValue, JsError>;
-
-/// Frequencies of every degree of freedom at one rotor speed.
-#[wasm_bindgen(unchecked_return_type = "Reply<ModesReport>")]
-pub fn modes(
-    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
-    #[wasm_bindgen(unchecked_optional_param_type = "ModesOptions")] options: &JsValue,
-) -> Answer {
-    solve(blade, options::settings(options, Analysis::Modes), analysis::modes)
-}
-
-/// Fan chart: branches over a range of rotor speeds, crossings, margins at nominal speed.
-#[wasm_bindgen(unchecked_return_type = "Reply<FanChart>")]
-pub fn fan(
-    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
-    #[wasm_bindgen(unchecked_optional_param_type = "FanOptions")] options: &JsValue,
-) -> Answer {
-    solve(blade, options::settings(options, Analysis::Fan), analysis::fan)
-}
-
-/// Draws a chart: its SVG text, size and plot areas, and the result that was drawn.
-#[wasm_bindgen(unchecked_return_type = "Reply<Drawing<ChartReport>>")]
-pub fn chart_svg(
-    #[wasm_bindgen(unchecked_param_type = "ChartKind")] kind: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
-    #[wasm_bindgen(unchecked_optional_param_type = "ChartOptions")] options: &JsValue,
-) -> Answer {
-    let Some(analysis) = kind.as_string().and_then(|name| Analysis::of_chart(&name)) else {
-        let rule = "must be fan, shapes or converge";
-        return reply::<()>(Err(vec![Fault::new(FaultCode::UnknownChoice, "kind", kind.as_string(), rule, rule)]));
-    };
-    solve(blade, options::settings_and_looks(options, analysis), |blade, (settings, looks)| {
-        let looks = looks.chart_options(settings);
-        Ok(match analysis {
-            #[cfg(feature = "whole")]
-            Analysis::Shapes => {
-                let report = analysis::shapes(blade, settings)?;
-                Drawn::new(chart::shapes(&report, &looks), Report::Shapes(report))
-            }
-            #[cfg(feature = "whole")]
-            Analysis::Converge => {
-                let report = analysis::converge(blade, settings)?;
-                Drawn::new(chart::converge(&report, &looks), Report::Converge(report))
-            }
-            _ => {
-                let report = analysis::fan(blade, settings)?;
-                Drawn::new(chart::fan(&report, &looks), Report::Fan(report))
-            }
-        })
-    })
-}
-
-/// Version of this program.
-#[wasm_bindgen]
-pub fn version() -> String {
-    VERSION.into()
-}
 
 /// Solves with a blade and settings that may both be faulty: all faults at once.
 fn solve<S, R: Serialize>(
@@ -150,8 +65,10 @@ fn read_tree(value: &JsValue, name: &str) -> Result<Tree, Vec<Fault>> {
     tree::tree(value, name).map_err(|fault| vec![fault])
 }
 
-// Not into every export that takes a blade.
-#[inline(never)]
-fn read_blade(blade: &JsValue) -> Result<Box<BladeFile>, Vec<Fault>> {
-    read_tree(blade, "blade").and_then(|tree| formats::read_tree(&tree)).map(Box::new)
+fn read_blade(blade: &JsValue) -> Result<BladeFile, Vec<Fault>> {
+    read_tree(blade, "blade").and_then(|tree| formats::read_tree(&tree))
+}
+
+fn string(value: &JsValue, name: &str) -> Result<String, Vec<Fault>> {
+    value.as_string().ok_or_else(|| vec![tree::fault(name, "must be text")])
 }
