@@ -41,7 +41,12 @@ export function site(files = sources()) {
   for (const [path, bytes] of files) served.set(isTop(path) ? path : `${version}/${path}`, bytes);
   const text = (path) => files.get(path).toString("utf8");
   const page = text("index.html").replaceAll(/\b(src|href)="([^"]+)"/g, (whole, name, path) => (served.has(`${version}/${path}`) ? `${name}="${version}/${path}"` : whole));
-  served.set("index.html", Buffer.from(page));
+  // All that the first chart needs is asked for at once, rather than import by import.
+  const early = [
+    `<link rel="preload" as="fetch" type="application/wasm" crossorigin href="${version}/pkg/bladefan_wasm_bg.wasm">`,
+    ...[...files.keys()].filter((path) => path.endsWith(".js") && !["sw.js", "solver/worker.js"].includes(path)).map((path) => `<link rel="modulepreload" href="${version}/${path}">`),
+  ];
+  served.set("index.html", Buffer.from(replaced(page, "</head>", `  ${early.join("\n  ")}\n</head>`)));
   const kept = ["icon.svg", ...[...served.keys()].filter((path) => path.startsWith(`${version}/`))];
   const worker = replaced(text("sw.js"), 'const VERSION = "";', `const VERSION = "${version}";`);
   served.set("sw.js", Buffer.from(replaced(worker, "const FILES = [];", `const FILES = ${JSON.stringify(kept)};`)));

@@ -123,8 +123,11 @@ new ResizeObserver(() => {
 }).observe(at("panel"));
 store.subscribe((_, changed) => changed.has("tab") && measure());
 
+let tries = 0;
 async function start() {
-  const library = await inTime(import("../pkg/library.js")).catch((error) => {
+  // A module that once did not come is only asked for again by another name.
+  const coming = tries++ === 0 ? import("../pkg/library.js") : import(`../pkg/library.js?again=${tries}`);
+  const library = await inTime(coming).catch((error) => {
     store.set({ trouble: `the blades could not be loaded: ${error.message}` });
     return null;
   });
@@ -155,9 +158,13 @@ function tryAgain() {
 
 // Without a network the page goes on from what it keeps; where that is not allowed it just needs one.
 // What is kept is fetched after the first chart, not beside it.
+async function keepForLater() {
+  const registration = await navigator.serviceWorker?.register(scriptAddress("sw.js"), { updateViaCache: "none" });
+  await registration?.update(); // a newer version is kept at this visit, not at some later one
+}
 let keeping = false;
 store.subscribe(({ drawing }) => {
   if (drawing === null || keeping) return;
   keeping = true;
-  if (isSecureContext) navigator.serviceWorker?.register(scriptAddress("sw.js")).catch(() => {});
+  if (isSecureContext) keepForLater().catch(() => {});
 });
