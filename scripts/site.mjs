@@ -19,7 +19,12 @@ const isServed = (path) => !path.startsWith("docs/") && !path.endsWith(".d.ts") 
 export function sources(folder = web) {
   const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
   const paths = files.map((entry) => relative(folder, join(entry.parentPath, entry.name)).replaceAll(sep, "/"));
-  return new Map(paths.filter(isServed).sort().map((path) => [path, readFileSync(join(folder, path))]));
+  return new Map(
+    paths
+      .filter(isServed)
+      .sort()
+      .map((path) => [path, readFileSync(join(folder, path))]),
+  );
 }
 
 /** The text with one thing in it replaced; a text without it is a mistake of ours. */
@@ -40,11 +45,15 @@ export function site(files = sources()) {
   const served = new Map();
   for (const [path, bytes] of files) served.set(isTop(path) ? path : `${version}/${path}`, bytes);
   const text = (path) => files.get(path).toString("utf8");
-  const page = text("index.html").replaceAll(/\b(src|href)="([^"]+)"/g, (whole, name, path) => (served.has(`${version}/${path}`) ? `${name}="${version}/${path}"` : whole));
+  const page = text("index.html").replaceAll(/\b(src|href)="([^"]+)"/g, (whole, name, path) =>
+    served.has(`${version}/${path}`) ? `${name}="${version}/${path}"` : whole,
+  );
   // All that the first chart needs is asked for at once, rather than import by import.
   const early = [
     `<link rel="preload" as="fetch" type="application/wasm" crossorigin href="${version}/pkg/bladefan_wasm_bg.wasm">`,
-    ...[...files.keys()].filter((path) => path.endsWith(".js") && !["sw.js", "solver/worker.js"].includes(path)).map((path) => `<link rel="modulepreload" href="${version}/${path}">`),
+    ...[...files.keys()]
+      .filter((path) => path.endsWith(".js") && !["sw.js", "solver/worker.js"].includes(path))
+      .map((path) => `<link rel="modulepreload" href="${version}/${path}">`),
   ];
   served.set("index.html", Buffer.from(replaced(page, "</head>", `  ${early.join("\n  ")}\n</head>`)));
   const kept = ["icon.svg", ...[...served.keys()].filter((path) => path.startsWith(`${version}/`))];

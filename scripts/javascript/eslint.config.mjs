@@ -14,7 +14,10 @@ const rules = {
   "object-shorthand": "error",
   "prefer-const": ["error", { destructuring: "all" }],
   // Markup and addresses of scripts are made in web/lib/trusted.js alone.
-  "no-restricted-properties": ["error", ...["innerHTML", "outerHTML", "insertAdjacentHTML", "parseFromString"].map((property) => ({ property, message: "see web/lib/trusted.js" }))],
+  "no-restricted-properties": [
+    "error",
+    ...["innerHTML", "outerHTML", "insertAdjacentHTML", "parseFromString"].map((property) => ({ property, message: "see web/lib/trusted.js" })),
+  ],
 };
 
 export default [

@@ -11,7 +11,11 @@ const ts = createRequire(new URL("../../scripts/javascript/package.json", import
 const file = fileURLToPath(new URL("../../crates/wasm/src/types.ts", import.meta.url));
 const program = ts.createProgram([file], { strict: true, exactOptionalPropertyTypes: true });
 const checker = program.getTypeChecker();
-const declared = new Map(checker.getExportsOfModule(checker.getSymbolAtLocation(program.getSourceFile(file))).map((symbol) => [symbol.name, checker.getDeclaredTypeOfSymbol(symbol)]));
+const declared = new Map(
+  checker
+    .getExportsOfModule(checker.getSymbolAtLocation(program.getSourceFile(file)))
+    .map((symbol) => [symbol.name, checker.getDeclaredTypeOfSymbol(symbol)]),
+);
 
 /** Where a null was seen, and where something else. */
 const seen = { null: new Set(), other: new Set(), nullable: new Set() };
@@ -53,7 +57,9 @@ function faults(type, given, place) {
   const here = part.aliasSymbol?.name ?? (part.symbol?.name.startsWith("__") ? place : part.symbol.name);
   const properties = part.getProperties();
   const names = new Set(properties.map(({ name }) => name));
-  const extra = Object.keys(given).filter((key) => !names.has(key)).map((key) => `${here}.${key} is not declared`);
+  const extra = Object.keys(given)
+    .filter((key) => !names.has(key))
+    .map((key) => `${here}.${key} is not declared`);
   return [
     ...extra,
     ...properties.flatMap((property) => {
@@ -71,8 +77,14 @@ const [{ blade }] = blades;
 const csv = "label,speed [rpm],frequency [Hz],source\n1F,660,11.5,test\n2F,0,0,test\n9L,10,5,other\n";
 const answers = {
   Blade: () => blades.map(({ blade }) => blade),
-  ModesReport: () => blades.flatMap(({ blade }) => [{}, { speed: 0 }, { dof: "flap" }, { basis: "classical", functions: 2, modes: 2 }, { functions: 2 }].map((options) => pkg.modes(blade, options))),
-  FanChart: () => blades.flatMap(({ blade }) => [pkg.fan(blade), pkg.fan({ ...blade, rotor: { ...blade.rotor, blades: undefined } }, { dof: "lag" })]),
+  ModesReport: () =>
+    blades.flatMap(({ blade }) =>
+      [{}, { speed: 0 }, { dof: "flap" }, { basis: "classical", functions: 2, modes: 2 }, { functions: 2 }].map((options) =>
+        pkg.modes(blade, options),
+      ),
+    ),
+  FanChart: () =>
+    blades.flatMap(({ blade }) => [pkg.fan(blade), pkg.fan({ ...blade, rotor: { ...blade.rotor, blades: undefined } }, { dof: "lag" })]),
   ShapesReport: () => blades.map(({ blade }) => pkg.shapes(blade, { modes: 2, points: 5 })),
   ConvergeReport: () => blades.flatMap(({ blade }) => [pkg.converge(blade, { modes: 3 }), pkg.converge(blade, { speed: 0, modes: 16 })]),
   BladeSummary: () => blades.flatMap(({ blade }) => [pkg.check(blade), pkg.check({ ...blade, rotor: { ...blade.rotor, blades: undefined } })]),
@@ -84,7 +96,10 @@ for (const [name, give] of Object.entries(answers)) {
   test(`${name} is as declared`, () => {
     const given = give();
     assert.ok(given.length > 0);
-    agreeAll(name, given.map((answer) => (answer.status === undefined ? answer : value(answer))));
+    agreeAll(
+      name,
+      given.map((answer) => (answer.status === undefined ? answer : value(answer))),
+    );
   });
 }
 
@@ -112,7 +127,10 @@ test("what is declared as null or something is both", () => {
   // Every built-in blade says what it is, and its modes are reached: bounds are not there for blades that
   // no mesh resolves, which core's tests have.
   const reached = ["ConvergeSeries", "Mode"].flatMap((name) => ["converged_rad_s", "lower_rad_s", "upper_rad_s"].map((key) => `${name}.${key}`));
-  assert.deepEqual(never("null"), ["BuiltInBlade.citation", "BuiltInBlade.quality", "BuiltInBlade.title", "Mode.separation_rad_s", ...reached].sort());
+  assert.deepEqual(
+    never("null"),
+    ["BuiltInBlade.citation", "BuiltInBlade.quality", "BuiltInBlade.title", "Mode.separation_rad_s", ...reached].sort(),
+  );
   assert.deepEqual(never("other"), []);
 });
 

@@ -62,7 +62,10 @@ test("of waiting calls in a lane only the newest is sent, and a superseded answe
   assert.equal(await second, null);
   worker.answer("stale");
   assert.equal(await first, null);
-  assert.deepEqual(worker.sent.map((message) => message.args[0]), [1, 3]);
+  assert.deepEqual(
+    worker.sent.map((message) => message.args[0]),
+    [1, 3],
+  );
   worker.answer("fresh");
   assert.equal(await third, "fresh");
 });
@@ -119,7 +122,10 @@ test("a worker that dies is started again once, and the question is asked again"
   worker.onerror({ message: "out of memory" });
   assert.equal(worker.terminated, true);
   workers[1].say({ ready: true });
-  assert.deepEqual(workers[1].sent.map(({ name, args }) => [name, args]), [["fan", [7]]]);
+  assert.deepEqual(
+    workers[1].sent.map(({ name, args }) => [name, args]),
+    [["fan", [7]]],
+  );
   workers[1].answer("done");
   assert.equal(await asked, "done");
 });
@@ -145,7 +151,10 @@ test("a question that was superseded while its worker died is not asked again", 
   worker.say({ id: 1, crashed: "unreachable" });
   assert.equal(await old, null);
   workers[1].say({ ready: true });
-  assert.deepEqual(workers[1].sent.map(({ args }) => args[0]), ["new"]);
+  assert.deepEqual(
+    workers[1].sent.map(({ args }) => args[0]),
+    ["new"],
+  );
   workers[1].answer("done");
   assert.equal(await fresh, "done");
 });
@@ -155,7 +164,12 @@ function starting(limits) {
   FakeWorker.all = [];
   const troubles = [];
   const busy = [];
-  const client = new Client(() => new FakeWorker(), { onTrouble: (words) => troubles.push(words), onBusy: (on) => busy.push(on), startMs: 2_000, ...limits });
+  const client = new Client(() => new FakeWorker(), {
+    onTrouble: (words) => troubles.push(words),
+    onBusy: (on) => busy.push(on),
+    startMs: 2_000,
+    ...limits,
+  });
   return { client, troubles, busy, workers: FakeWorker.all };
 }
 
@@ -213,7 +227,14 @@ test("a worker gets the module that is compiled once, or says why there is none"
   const troubles = [];
   FakeWorker.all = [];
   let module = Promise.reject(new Error("it has not arrived within 30 seconds"));
-  const client = new Client(() => withModule(() => new FakeWorker(), () => module), { onTrouble: (words) => troubles.push(words) });
+  const client = new Client(
+    () =>
+      withModule(
+        () => new FakeWorker(),
+        () => module,
+      ),
+    { onTrouble: (words) => troubles.push(words) },
+  );
   await sleep(0);
   assert.deepEqual(troubles, ["the solver could not be loaded: it has not arrived within 30 seconds"]);
   module = Promise.resolve("compiled");
@@ -242,7 +263,12 @@ function solver() {
   FakeWorker.all = [];
   const busy = [];
   const troubles = [];
-  const made = new Solver(() => new FakeWorker(), { onBusy: (on) => busy.push(on), onTrouble: (words) => troubles.push(words), startMs: 2_000, late: ["draw"] });
+  const made = new Solver(() => new FakeWorker(), {
+    onBusy: (on) => busy.push(on),
+    onTrouble: (words) => troubles.push(words),
+    startMs: 2_000,
+    late: ["draw"],
+  });
   FakeWorker.all[0].say({ ready: true });
   return { solver: made, workers: FakeWorker.all, busy, troubles };
 }
@@ -257,7 +283,10 @@ test("the second worker is started by the first call that is no fan work, and ho
   assert.equal(workers[1].sent.length, 0, "it is not ready yet");
   workers[0].answer("modes");
   workers[0].answer("drawing");
-  assert.deepEqual(workers[0].sent.map(({ name }) => name), ["modes", "chart_svg"]);
+  assert.deepEqual(
+    workers[0].sent.map(({ name }) => name),
+    ["modes", "chart_svg"],
+  );
   workers[1].say({ ready: true });
   workers[1].answer("blade");
   assert.equal(await parsed, "blade");

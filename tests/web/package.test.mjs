@@ -93,7 +93,16 @@ pageTest("what is opened while a file is being read stays, and keeps its name", 
   // A change of the other blade does not take the place of the kept one.
   await page.locator("#what-if-factors-mass").fill("0.3");
   await page.waitForFunction((old) => JSON.stringify(Object.entries(localStorage)) !== old, before);
-  assert.equal(await page.evaluate(() => Object.values(localStorage).map((text) => JSON.parse(text)).flat().filter((entry) => entry?.packed).length), 2);
+  assert.equal(
+    await page.evaluate(
+      () =>
+        Object.values(localStorage)
+          .map((text) => JSON.parse(text))
+          .flat()
+          .filter((entry) => entry?.packed).length,
+    ),
+    2,
+  );
 });
 
 test("a library that does not come is said, and another try brings it", async () => {

@@ -60,7 +60,12 @@ async function opened(context) {
 
 /** Waits until the page is kept, with all that it needs. */
 const kept = (page, { version }) =>
-  until(() => page.evaluate(async (name) => (await caches.has(name)) && (await (await caches.open(name)).match("./")) !== undefined, `bladefan ${origin} ${version}`));
+  until(() =>
+    page.evaluate(
+      async (name) => (await caches.has(name)) && (await (await caches.open(name)).match("./")) !== undefined,
+      `bladefan ${origin} ${version}`,
+    ),
+  );
 /** Waits for something that takes a promise to tell, which `waitForFunction` would take for true. */
 async function until(holds) {
   for (const end = Date.now() + 20_000; !(await holds()); await sleep(50)) assert.ok(Date.now() < end, `waited in vain for ${holds}`);
@@ -114,7 +119,11 @@ test("a page that is open while an update arrives goes on in its version, and th
     await kept(fresh, second);
     await converge(old);
     assert.deepEqual(await versions(old), [first.version]);
-    assert.deepEqual(asked.filter((path) => path.startsWith(first.version)), [], "the old page lives on what is kept");
+    assert.deepEqual(
+      asked.filter((path) => path.startsWith(first.version)),
+      [],
+      "the old page lives on what is kept",
+    );
 
     // Without a network the newest is shown, though the old page is still open.
     await context.setOffline(true);
@@ -143,10 +152,12 @@ test("an update that is half in place is not kept", () =>
     served = { files: new Map([...first.files, ["sw.js", second.files.get("sw.js")]]) };
     const state = await page.evaluate(async () => {
       const registration = await navigator.serviceWorker.getRegistration();
-      const found = new Promise((resolve) => registration.addEventListener("updatefound", () => {
-        const { installing } = registration;
-        installing.addEventListener("statechange", () => resolve(installing.state));
-      }));
+      const found = new Promise((resolve) =>
+        registration.addEventListener("updatefound", () => {
+          const { installing } = registration;
+          installing.addEventListener("statechange", () => resolve(installing.state));
+        }),
+      );
       await registration.update();
       return found;
     });
@@ -160,19 +171,35 @@ test("caches of others are neither looked into nor deleted", () =>
   inBrowser(async (context) => {
     const page = await context.newPage();
     await page.goto(`${origin}icon.svg`);
-    await page.evaluate(async ([origin, version]) => {
-      for (const name of ["another page of this host", `bladefan ${origin}elsewhere/ 000000000000`, "bladefan"]) {
-        const cache = await caches.open(name);
-        for (const path of ["", `${version}/app/main.js`, "docs/"]) await cache.put(origin + path, new Response("not ours", { headers: { "Content-Type": "text/html" } }));
-      }
-    }, [origin, first.version]);
+    await page.evaluate(
+      async ([origin, version]) => {
+        for (const name of ["another page of this host", `bladefan ${origin}elsewhere/ 000000000000`, "bladefan"]) {
+          const cache = await caches.open(name);
+          for (const path of ["", `${version}/app/main.js`, "docs/"])
+            await cache.put(origin + path, new Response("not ours", { headers: { "Content-Type": "text/html" } }));
+        }
+      },
+      [origin, first.version],
+    );
     await page.goto(origin);
     await drawn(page);
     await controlled(page);
     await kept(page, first);
-    assert.deepEqual((await cacheNames(page)).sort(), ["another page of this host", `bladefan ${origin} ${first.version}`, `bladefan ${origin}elsewhere/ 000000000000`]);
+    assert.deepEqual((await cacheNames(page)).sort(), [
+      "another page of this host",
+      `bladefan ${origin} ${first.version}`,
+      `bladefan ${origin}elsewhere/ 000000000000`,
+    ]);
     await context.setOffline(true);
-    assert.equal(await page.evaluate(() => fetch("docs/").then(() => "answered", () => "no network")), "no network");
+    assert.equal(
+      await page.evaluate(() =>
+        fetch("docs/").then(
+          () => "answered",
+          () => "no network",
+        ),
+      ),
+      "no network",
+    );
     await page.reload();
     assert.deepEqual(await versions(page), [first.version]);
   }));

@@ -78,6 +78,7 @@ copyFull(at("modes"));
 const fromAddress = startShare(store, open, say);
 const fromLastVisit = startSession(store, open, say);
 
+/** @type {HTMLInputElement[]} */
 const optionFields = [...document.querySelectorAll("[data-option]")];
 store.subscribe(({ options }, changed) => {
   if (!changed.has("options")) return;
@@ -91,6 +92,7 @@ for (const field of optionFields) {
   });
 }
 
+/** @type {HTMLElement[]} */
 const tabs = [...document.querySelectorAll('[role="tab"]')];
 function chooseTab(tab) {
   tab.focus();

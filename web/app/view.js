@@ -39,7 +39,7 @@ function chosenSpeed(state) {
 function showSource({ library, choice, doc }) {
   const built = library.find((blade) => blade.name === choice);
   at("blade-choice").value = choice;
-  const own = at("blade-choice").querySelector(`option[value="${OWN}"]`);
+  const own = /** @type {HTMLOptionElement} */ (at("blade-choice").querySelector(`option[value="${OWN}"]`));
   own.hidden = choice !== OWN;
   own.textContent = doc?.name && choice === OWN ? `${doc.name} (yours)` : "your own blade";
   at("blade-source").textContent = built ? `${built.quality} data: ${built.citation}` : "Your own blade. It stays in this page.";
@@ -70,13 +70,13 @@ function showSolveFaults({ solveFaults, trouble }, tryAgain) {
     at("solve-faults").hidden = false;
   }
   at("speed-number").setAttribute("aria-invalid", String(solveFaults.some((fault) => fault.path === "speed")));
-  for (const field of document.querySelectorAll("[data-option]")) {
+  for (const field of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-option]"))) {
     field.setAttribute("aria-invalid", String(solveFaults.some((fault) => fault.path === field.dataset.option)));
   }
 }
 
 function showTab(tab) {
-  for (const button of document.querySelectorAll('[role="tab"]')) {
+  for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('[role="tab"]'))) {
     const chosen = button.id === `tab-${tab}`;
     button.setAttribute("aria-selected", String(chosen));
     button.tabIndex = chosen ? 0 : -1;

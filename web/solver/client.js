@@ -37,13 +37,20 @@ export class Client {
   #busyTimer;
 
   /**
-   * @param startWorker makes a new worker (a function, so that tests can hand in their own)
-   * @param onBusy called with true when work takes a while, with false when it is over
-   * @param onTrouble called with words for the user when no worker could be started, with null when it is tried again
-   * @param late lanes whose running call still gets its answer when a newer one waits, so that
+   * @param {() => Pick<Worker, "postMessage" | "terminate" | "onmessage" | "onerror">} startWorker makes a new worker (a function, so that tests can hand in their own)
+   * @param {object} options
+   * @param {(busy: boolean) => void} [options.onBusy] called with true when work takes a while, with false when it is over
+   * @param {(words: string | null) => void} [options.onTrouble] called with words for the user when no worker could be started, with null when it is tried again
+   * @param {number} [options.startMs] most time for a worker to become ready
+   * @param {number} [options.stuckMs] most time for an answer
+   * @param {number} [options.supersededMs] most time for an answer that nobody wants any more
+   * @param {string[]} [options.late] lanes whose running call still gets its answer when a newer one waits, so that
    *   results keep coming while inputs change faster than they are solved
    */
-  constructor(startWorker, { onBusy = () => {}, onTrouble = () => {}, startMs = START_MS, stuckMs = STUCK_MS, supersededMs = SUPERSEDED_MS, late = [] } = {}) {
+  constructor(
+    startWorker,
+    { onBusy = () => {}, onTrouble = () => {}, startMs = START_MS, stuckMs = STUCK_MS, supersededMs = SUPERSEDED_MS, late = [] } = {},
+  ) {
     this.#startWorker = startWorker;
     this.#onBusy = onBusy;
     this.#onTrouble = onTrouble;

@@ -4,6 +4,7 @@
 
 import { Client } from "./client.js";
 
+/** @type {(name: string, args: unknown[]) => boolean} */
 const isFanWork = (name, [kind]) => name === "modes" || name === "fan" || (name === "chart_svg" && kind === "fan");
 
 export class Solver {
@@ -13,7 +14,11 @@ export class Solver {
   #busy = new Set();
   #troubles = new Map();
 
-  /** `startWorker` makes a worker; the options are those of a client. */
+  /**
+   * `startWorker` makes a worker; the options are those of a client.
+   * @param {ConstructorParameters<typeof Client>[0]} startWorker
+   * @param {ConstructorParameters<typeof Client>[1]} [options]
+   */
   constructor(startWorker, { onBusy = () => {}, onTrouble = () => {}, ...options } = {}) {
     this.#makeClient = (who) =>
       new Client(startWorker, {
