@@ -304,6 +304,12 @@ test("the page's policy stops scripts in markup and requests to other hosts", as
       const script = document.createElement("script");
       script.append("window.inline = true");
       document.body.append(script);
+      // A drawing with a script in it, by the page's own way for drawings.
+      const { src } = document.querySelector("script[type=module]");
+      const { parsedSvg } = await import(new URL("../lib/trusted.js", src));
+      const drawing = document.adoptNode(parsedSvg('<svg xmlns="http://www.w3.org/2000/svg" onclick="window.inline = true"/>').documentElement);
+      document.body.append(drawing);
+      drawing.dispatchEvent(new Event("click"));
       const refused = [];
       for (const [name, sink] of Object.entries({
         markup: () => (document.createElement("p").innerHTML = "<b>"),
@@ -324,7 +330,7 @@ test("the page's policy stops scripts in markup and requests to other hosts", as
     assert.deepEqual(stopped, {
       inline: undefined,
       refused: ["markup", "drawing", "worker", "policy"],
-      stopped: ["connect-src", "require-trusted-types-for", "script-src-elem", "trusted-types"],
+      stopped: ["connect-src", "require-trusted-types-for", "script-src-attr", "trusted-types"],
     });
   } finally {
     await close();
