@@ -1,11 +1,11 @@
-// Serves the folder web/ on 127.0.0.1. `node scripts/serve.mjs [PORT]`, or from a test:
+// Serves the page on 127.0.0.1 as scripts/site.mjs puts it together. `node scripts/serve.mjs [PORT]`, or
+// from a test:
 //   const server = await serve(0); … server.address().port … server.close();
 import { createServer } from "node:http";
 import { readFile } from "node:fs/promises";
-import { extname, join, normalize, sep } from "node:path";
+import { extname, normalize } from "node:path";
 import { fileURLToPath } from "node:url";
-
-const root = fileURLToPath(new URL("../web", import.meta.url));
+import { site, web } from "./site.mjs";
 
 // A browser compiles wasm while it streams in, and runs modules at all, only under these types.
 const types = {
@@ -24,36 +24,47 @@ const types = {
   ".woff2": "font/woff2",
 };
 
-/** The file that a request's path names, or null where it names none inside the folder. */
-function fileOf(url) {
+/** The path that a request names, or null where it names none. */
+function pathOf(url) {
   try {
-    const path = decodeURIComponent(url.split(/[?#]/, 1)[0]);
-    const file = normalize(join(root, path.endsWith("/") ? `${path}index.html` : path));
-    return file.startsWith(root + sep) && !file.includes("\0") ? file : null;
+    const path = decodeURIComponent(url.split(/[?#]/, 1)[0]).slice(1);
+    return path === "" || path.endsWith("/") ? `${path}index.html` : path;
   } catch {
     return null; // a malformed escape
   }
 }
 
-async function answer(request, response) {
+/** The documentation is read as it is asked for: it is built beside the page. */
+async function documentation(path) {
+  const inside = normalize(path).startsWith("docs/") && !path.includes("\0");
+  return inside ? readFile(web + path).catch(() => undefined) : undefined;
+}
+
+async function answer(request, response, files) {
   const end = (status, body, type = "text/plain; charset=utf-8") => {
     response.writeHead(status, { "Content-Type": type, "Cache-Control": "no-cache" });
     response.end(request.method === "HEAD" ? undefined : body);
   };
   if (request.method !== "GET" && request.method !== "HEAD") return end(405, "not allowed\n");
-  const file = fileOf(request.url);
-  if (file === null) return end(403, "outside the page's folder\n");
-  try {
-    end(200, await readFile(file), types[extname(file)] ?? "application/octet-stream");
-  } catch {
-    end(404, "not found\n");
-  }
+  const path = pathOf(request.url);
+  const body = path === null ? undefined : (files.get(path) ?? (await documentation(path)));
+  if (body === undefined) return end(404, "not found\n");
+  end(200, body, types[extname(path)] ?? "application/octet-stream");
 }
 
-/** Starts the server; port 0 is any free one. */
-export function serve(port) {
+/** The page of now: put together anew for every visit, so that a change is there after a reload. */
+function current() {
+  let made = site();
+  return (path) => {
+    if (path === "/") made = site();
+    return made.files;
+  };
+}
+
+/** Starts the server; port 0 is any free one. `filesFor(url)` gives all files, by path. */
+export function serve(port, filesFor = current()) {
   return new Promise((resolve, reject) => {
-    const server = createServer(answer);
+    const server = createServer((request, response) => answer(request, response, filesFor(request.url)));
     server.once("error", reject);
     server.listen(port, "127.0.0.1", () => resolve(server));
   });

@@ -1,70 +1,79 @@
-// Keeps the page working without a network: what was loaded once is kept, the network comes first.
+// Keeps the page working without a network. All that the page runs lies in one folder named after its
+// contents, so what is kept of that folder is right for ever, and the page itself, which names the folder,
+// comes from the network first. A page that is open keeps its version: a newer one is kept beside it, and
+// the older ones go once no page is open that needs them.
 
-const CACHE = "bladefan";
-/** All that the page is made of, beside the package. tests/web/share.test.mjs holds it to the folder. */
-const FILES = [
-  "./", "icon.svg",
-  "app/main.js", "app/pack.js", "app/session.js", "app/share.js", "app/state.js", "app/theme.js",
-  "app/view.js",
-  "blade/document.js", "blade/form.js", "blade/open.js", "blade/text.js", "blade/units.js",
-  "blade/what-if.js",
-  "chart/band.js", "chart/chart.js", "chart/frame.js", "chart/hover.js", "chart/measured.js",
-  "chart/numbers.js", "chart/patch.js", "chart/speed.js", "chart/tools.js", "chart/unchanged.js",
-  "chart/zoom.js",
-  "lib/dof-toggles.js", "lib/dom.js", "lib/faults.js", "lib/format.js", "lib/scale.js", "lib/speed-words.js",
-  "lib/unit-words.js",
-  "modes/lesson.js", "modes/motion.js", "modes/movers.js", "modes/nearness.js", "modes/plate.js",
-  "modes/shape.js", "modes/table.js",
-  "out/download.js", "out/report.js", "out/save.js",
-  "solver/client.js", "solver/keep-up.js", "solver/lanes.js", "solver/worker.js",
-  "stations/columns.js", "stations/faults.js", "stations/forms.js", "stations/parts.js",
-  "stations/paste/block.js", "stations/paste/panel.js", "stations/profiles.js", "stations/sheet/editor.js",
-  "stations/sheet/grid.js", "stations/sheet/keys.js", "stations/span.js", "stations/tab.js",
-  "styles/blade.css", "styles/chart.css", "styles/motion.css", "styles/page.css", "styles/print.css",
-  "styles/stations.css",
-];
-const MODULES = ["bladefan_first", "bladefan_wasm"];
+// scripts/site.mjs fills in both: the version is the folder's name.
+const VERSION = "";
+const FILES = [];
 
-const LIBRARY = "pkg/library.js";
-/** The folder of the package's version, as the library names it. */
-const folderOf = async (response) => /"\.\/([0-9a-f]+)\/library\.js"/.exec(await response.text())?.[1];
+/** Where this page stands: another page of the same host may be a bladefan, too. */
+const scope = registration.scope;
+const OWN = `bladefan ${scope} `;
+const CACHE = OWN + VERSION;
+/** What the page kept before its caches had versions. */
+const UNVERSIONED = "bladefan";
 
-/** The package's own files: its entries name the folder of this version. */
-function packageFiles(folder) {
-  const scripts = [...MODULES, "library"].flatMap((name) => [`pkg/${name}.js`, `pkg/${folder}/${name}.js`]);
-  return [...scripts, ...MODULES.map((name) => `pkg/${folder}/${name}_bg.wasm`)];
-}
+const isVersioned = ({ href }) => /^[0-9a-f]{12}\//.test(href.slice(scope.length));
+const isPage = ({ origin, pathname }) => [scope, `${scope}index.html`].includes(origin + pathname);
 
 async function fill() {
+  const page = await fetch(scope, { cache: "no-cache" });
+  // While an update is being put in place, worker and page may be of two versions for a moment.
+  if (!page.ok || !(await page.clone().text()).includes(`"${VERSION}/`)) throw new Error("the page is of another version");
   const cache = await caches.open(CACHE);
-  const folder = await folderOf(await fetch(LIBRARY, { cache: "no-cache" }));
-  await cache.addAll([...FILES, ...packageFiles(folder)].map((path) => new Request(path, { cache: "no-cache" })));
-  const old = (await cache.keys()).filter(({ url }) => /\/pkg\/[0-9a-f]+\//.test(url) && !url.includes(`/pkg/${folder}/`));
-  await Promise.all(old.map((request) => cache.delete(request)));
+  await cache.addAll(FILES.map((path) => new Request(path, { cache: "no-cache" })));
+  await cache.put(scope, page); // last: where the page is kept, all that it needs is
 }
 
-/** Another version of the package is kept as a whole, with what the page has not asked for yet. */
-async function renew(response) {
-  const kept = await (await caches.open(CACHE)).match(LIBRARY);
-  if (kept && (await folderOf(kept)) !== (await folderOf(response))) await fill();
+async function clear() {
+  const old = (await caches.keys()).filter((name) => (name.startsWith(OWN) && name !== CACHE) || name === UNVERSIONED);
+  await Promise.all(old.map((name) => caches.delete(name)));
 }
 
-async function answer(event) {
-  const { request } = event;
+/** What is kept of a request in the page's own caches, the newest first; none where storage fails. */
+async function kept(request) {
   try {
-    const response = await fetch(request);
-    if (request.url.endsWith(LIBRARY) && response.ok) event.waitUntil(renew(response.clone()).catch(() => {}));
-    else if (response.ok) (await caches.open(CACHE)).put(request, response.clone());
-    return response;
-  } catch (error) {
-    const kept = await caches.match(request, { ignoreSearch: true });
-    if (kept) return kept;
-    throw error;
+    const own = (await caches.keys()).filter((name) => name.startsWith(OWN)).reverse();
+    for (const name of own) {
+      const found = await (await caches.open(name)).match(request, { ignoreSearch: true });
+      if (found) return found;
+    }
+  } catch {
+    // Storage is switched off or broken; the network may still answer.
+  }
+  return undefined;
+}
+
+/** Keeps an answer where there is room for it: storage that fails is no failure of the network. */
+async function keep(request, response) {
+  try {
+    await (await caches.open(CACHE)).put(request, response);
+  } catch {
+    // it is asked for again next time
   }
 }
 
+async function networkFirst(event, key) {
+  let response;
+  try {
+    response = await fetch(event.request);
+  } catch (error) {
+    const found = await kept(key);
+    if (found) return found;
+    throw error;
+  }
+  // The page is kept by `fill`, with all that it needs.
+  if (response.ok && key !== scope) event.waitUntil(keep(key, response.clone()));
+  return response;
+}
+
 addEventListener("install", (event) => event.waitUntil(fill()));
-addEventListener("activate", (event) => event.waitUntil(clients.claim()));
+addEventListener("activate", (event) => event.waitUntil(Promise.all([clear(), clients.claim()])));
 addEventListener("fetch", (event) => {
-  if (event.request.method === "GET" && new URL(event.request.url).origin === location.origin) event.respondWith(answer(event));
+  const { request } = event;
+  const url = new URL(request.url);
+  if (request.method !== "GET" || !url.href.startsWith(scope)) return;
+  if (isVersioned(url)) event.respondWith(kept(request).then((found) => found ?? fetch(request)));
+  else event.respondWith(networkFirst(event, isPage(url) ? scope : request));
 });

@@ -27,7 +27,7 @@ export function render(text, { name, equations, resolve }) {
     try {
       return equations.mathml(tex, display);
     } catch (error) {
-      throw new Error(`${name}: ${error.message}\n${tex}`);
+      throw new Error(`${name}: ${error.message}\n${tex}`, { cause: error });
     }
   };
   const marked = new Marked({

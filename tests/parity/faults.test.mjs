@@ -44,10 +44,14 @@ cases.forEach((bad, i) => {
     const { status, stdout, stderr } = run("modes", file);
     assert.equal(status, 2);
     assert.equal(stdout, "");
-    assert.deepEqual(stderr.trimEnd().split("\n"), answer.faults.map((fault) => line(file, fault)));
+    assert.deepEqual(
+      stderr.trimEnd().split("\n"),
+      answer.faults.map((fault) => line(file, fault)),
+    );
   });
 });
 
+/** @type {[string, object][]} */
 const options = [
   ["modes", { speed: "-1" }],
   ["modes", { speed: "660 rpm" }],

@@ -45,7 +45,10 @@ test("drawings have the same looks", () => {
 
 test("both have the same built-in blades", () => {
   const listed = json("blades").blades.map((blade) => blade.name);
-  assert.deepEqual(blades.map((blade) => blade.name), listed);
+  assert.deepEqual(
+    blades.map((blade) => blade.name),
+    listed,
+  );
   assert.ok(listed.length >= 5, `${listed}`);
   for (const { name, toml, blade } of blades) {
     assert.equal(run("blades", name).stdout, toml);
@@ -93,8 +96,14 @@ test("measured points are compared alike", () => {
     for (const basis of ["piecewise", "classical"]) {
       const compared = value(pkg.compare(blade, csv, { basis }));
       same(json("fan", name, "--measured", file, "--basis", basis).measured, compared);
-      assert.deepEqual(compared.map((point) => point.computed_rad_s === null), [false, false, false, true]);
-      assert.deepEqual(compared.map((point) => point.error_percent === null), [false, false, true, true]);
+      assert.deepEqual(
+        compared.map((point) => point.computed_rad_s === null),
+        [false, false, false, true],
+      );
+      assert.deepEqual(
+        compared.map((point) => point.error_percent === null),
+        [false, false, true, true],
+      );
     }
   }
 });

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
-import { Client } from "../../web/solver/client.js";
+import { Client, withModule } from "../../web/solver/client.js";
 import { Solver } from "../../web/solver/lanes.js";
 
 /** A worker that answers when told to. */
@@ -31,7 +31,7 @@ class FakeWorker {
 function setUp(limits) {
   FakeWorker.all = [];
   const busy = [];
-  const client = new Client(() => new FakeWorker(), { onBusy: (on) => busy.push(on), ...limits });
+  const client = new Client(() => new FakeWorker(), { onBusy: (on) => busy.push(on), startMs: 2_000, ...limits });
   FakeWorker.all[0].say({ ready: true });
   return { client, busy, worker: FakeWorker.all[0], workers: FakeWorker.all };
 }
@@ -62,7 +62,10 @@ test("of waiting calls in a lane only the newest is sent, and a superseded answe
   assert.equal(await second, null);
   worker.answer("stale");
   assert.equal(await first, null);
-  assert.deepEqual(worker.sent.map((message) => message.args[0]), [1, 3]);
+  assert.deepEqual(
+    worker.sent.map((message) => message.args[0]),
+    [1, 3],
+  );
   worker.answer("fresh");
   assert.equal(await third, "fresh");
 });
@@ -113,26 +116,132 @@ test("a late answer of a replaced worker is not heard", async () => {
   assert.equal(await next, "alive");
 });
 
-test("after a crash the worker is replaced and the reason is given", async () => {
+test("a worker that dies is started again once, and the question is asked again", async () => {
+  const { client, worker, workers } = setUp();
+  const asked = client.call("fan", "fan", 7);
+  worker.onerror({ message: "out of memory" });
+  assert.equal(worker.terminated, true);
+  workers[1].say({ ready: true });
+  assert.deepEqual(
+    workers[1].sent.map(({ name, args }) => [name, args]),
+    [["fan", [7]]],
+  );
+  workers[1].answer("done");
+  assert.equal(await asked, "done");
+});
+
+test("a question that kills the worker twice is answered with the reason, and the next one is heard", async () => {
   const { client, worker, workers } = setUp();
   const broken = client.call("fan", "fan");
   worker.say({ id: 1, crashed: "unreachable" });
-  assert.match((await broken).faults[0].message, /unreachable/);
-  assert.equal(worker.terminated, true);
   workers[1].say({ ready: true });
+  workers[1].say({ id: 1, crashed: "unreachable" });
+  assert.match((await broken).faults[0].message, /broke off: unreachable/);
+  assert.equal(workers[1].terminated, true);
+  workers[2].say({ ready: true });
   const next = client.call("fan", "fan");
-  workers[1].answer("done");
+  workers[2].answer("done");
   assert.equal(await next, "done");
 });
 
-test("where the solver cannot be loaded every call says so", async () => {
+test("a question that was superseded while its worker died is not asked again", async () => {
+  const { client, worker, workers } = setUp();
+  const old = client.call("fan", "fan", "old");
+  const fresh = client.call("fan", "fan", "new");
+  worker.say({ id: 1, crashed: "unreachable" });
+  assert.equal(await old, null);
+  workers[1].say({ ready: true });
+  assert.deepEqual(
+    workers[1].sent.map(({ args }) => args[0]),
+    ["new"],
+  );
+  workers[1].answer("done");
+  assert.equal(await fresh, "done");
+});
+
+/** A client whose worker is not ready, and what it says of its troubles. */
+function starting(limits) {
   FakeWorker.all = [];
-  const client = new Client(() => new FakeWorker());
+  const troubles = [];
+  const busy = [];
+  const client = new Client(() => new FakeWorker(), {
+    onTrouble: (words) => troubles.push(words),
+    onBusy: (on) => busy.push(on),
+    startMs: 2_000,
+    ...limits,
+  });
+  return { client, troubles, busy, workers: FakeWorker.all };
+}
+
+test("where the solver cannot be loaded that is said, and what was asked waits for another try", async () => {
+  const { client, troubles, workers } = starting();
   const early = client.call("a", "a");
-  FakeWorker.all[0].say({ failed: "no WebAssembly" });
-  for (const answer of [await early, await client.call("b", "b")]) {
-    assert.match(answer.faults[0].message, /could not be loaded: no WebAssembly/);
-  }
+  workers[0].say({ failed: "no WebAssembly" });
+  assert.deepEqual(troubles, ["the solver could not be loaded: no WebAssembly"]);
+  assert.equal(workers.length, 1, "it is not tried again by itself");
+  client.again();
+  client.again();
+  assert.equal(workers.length, 2);
+  workers[1].say({ ready: true });
+  workers[1].answer("late, but there");
+  assert.equal(await early, "late, but there");
+  assert.deepEqual(troubles.slice(1), [null]);
+});
+
+test("a new question is another try", async () => {
+  const { client, troubles, workers } = starting();
+  const early = client.call("a", "a");
+  workers[0].say({ failed: "offline" });
+  const next = client.call("a", "a");
+  assert.equal(await early, null);
+  workers[1].say({ ready: true });
+  workers[1].answer("done");
+  assert.equal(await next, "done");
+  assert.equal(troubles.at(-1), null);
+});
+
+test("a worker that never becomes ready is not waited for without end", async () => {
+  const { client, troubles, busy, workers } = starting({ startMs: 200 });
+  client.call("a", "a");
+  await sleep(300);
+  assert.match(troubles[0], /^the solver could not be loaded: it did not start within 0.2 seconds$/);
+  assert.equal(workers[0].terminated, true);
+  assert.equal(busy.at(-1), false, "nothing is under way");
+  client.again();
+  workers[1].say({ ready: true });
+  await sleep(300);
+  assert.deepEqual(troubles.slice(1), [null]);
+  workers[1].answer("done");
+});
+
+test("a worker that dies before it is ready is started again once", () => {
+  const { troubles, workers } = starting();
+  workers[0].onerror({ message: "" });
+  assert.deepEqual([workers.length, troubles], [2, []]);
+  workers[1].onerror({ message: "" });
+  assert.equal(workers.length, 2);
+  assert.match(troubles[0], /the worker could not be started/);
+});
+
+test("a worker gets the module that is compiled once, or says why there is none", async () => {
+  const troubles = [];
+  FakeWorker.all = [];
+  let module = Promise.reject(new Error("it has not arrived within 30 seconds"));
+  const client = new Client(
+    () =>
+      withModule(
+        () => new FakeWorker(),
+        () => module,
+      ),
+    { onTrouble: (words) => troubles.push(words) },
+  );
+  await sleep(0);
+  assert.deepEqual(troubles, ["the solver could not be loaded: it has not arrived within 30 seconds"]);
+  module = Promise.resolve("compiled");
+  client.again();
+  await sleep(0);
+  assert.deepEqual(FakeWorker.all[1].sent, [{ module: "compiled" }]);
+  FakeWorker.all[1].say({ ready: true });
 });
 
 test("only work that takes a while is shown as such", async () => {
@@ -149,39 +258,40 @@ test("only work that takes a while is shown as such", async () => {
   assert.deepEqual(busy, [false, true, false]);
 });
 
-/** A solver whose workers are told apart by what they were started for. */
+/** A solver with its workers in the order of their start; the first is ready. */
 function solver() {
-  const workers = [];
+  FakeWorker.all = [];
   const busy = [];
-  const made = new Solver(
-    (whole) => {
-      const worker = new FakeWorker();
-      worker.whole = whole;
-      workers.push(worker);
-      return worker;
-    },
-    { onBusy: (on) => busy.push(on), late: ["draw"] },
-  );
-  workers[0].say({ ready: true });
-  return { solver: made, workers, busy };
+  const troubles = [];
+  const made = new Solver(() => new FakeWorker(), {
+    onBusy: (on) => busy.push(on),
+    onTrouble: (words) => troubles.push(words),
+    startMs: 2_000,
+    late: ["draw"],
+  });
+  FakeWorker.all[0].say({ ready: true });
+  return { solver: made, workers: FakeWorker.all, busy, troubles };
 }
 
-test("the whole module's worker is started by the first call that needs it, and holds up nothing", async () => {
+test("the second worker is started by the first call that is no fan work, and holds up nothing", async () => {
   const { solver: both, workers } = solver();
   both.call("modes", "modes", {});
-  both.call("draw", "chart_svg", "fan", {}, { measured: null });
-  assert.deepEqual(workers.map(({ whole }) => whole), [false]);
+  both.call("draw", "chart_svg", "fan", {}, { measured: "label" });
+  assert.equal(workers.length, 1);
   const parsed = both.call("parse", "parse_blade", "x");
-  assert.deepEqual(workers.map(({ whole }) => whole), [false, true]);
-  assert.equal(workers[1].sent.length, 0, "it is not loaded yet");
+  assert.equal(workers.length, 2);
+  assert.equal(workers[1].sent.length, 0, "it is not ready yet");
   workers[0].answer("modes");
   workers[0].answer("drawing");
-  assert.deepEqual(workers[0].sent.map(({ name }) => name), ["modes", "chart_svg"]);
+  assert.deepEqual(
+    workers[0].sent.map(({ name }) => name),
+    ["modes", "chart_svg"],
+  );
   workers[1].say({ ready: true });
   workers[1].answer("blade");
   assert.equal(await parsed, "blade");
-  for (const args of [["fan", {}, { measured: "label" }], ["shapes", {}], ["converge", {}]]) both.call(args.join(), "chart_svg", ...args);
-  assert.equal(workers[0].sent.length, 2, "the small one draws no other chart");
+  for (const kind of ["shapes", "converge"]) both.call(kind, "chart_svg", kind, {});
+  assert.equal(workers[0].sent.length, 2, "sliders do not wait for shapes");
 });
 
 test("a lane is one, whichever worker its newest call is for", async () => {
@@ -198,23 +308,20 @@ test("a lane is one, whichever worker its newest call is for", async () => {
   assert.equal(await back, "fan again");
 });
 
-test("a whole module that cannot be loaded is said, and tried again by the next call", async () => {
-  const { solver: both, workers, busy } = solver();
-  const first = both.call("parse", "parse_blade", "x");
+test("trouble of either worker is said until neither has any, and what is waited for is shown as work", async () => {
+  const { solver: both, workers, busy, troubles } = solver();
+  const parsed = both.call("parse", "parse_blade", "x");
   workers[1].say({ failed: "gone" });
-  assert.match((await first).faults[0].message, /could not be loaded: gone/);
-  const second = both.call("parse", "parse_blade", "x");
-  assert.equal(workers.length, 3);
+  assert.match(troubles.at(-1), /could not be loaded: gone/);
+  both.call("modes", "modes", {});
+  workers[0].answer("modes");
+  assert.match(troubles.at(-1), /gone/, "an answer of the other is no end of it");
+  both.again();
+  assert.equal(troubles.at(-1), null);
+  await sleep(200);
+  assert.equal(busy.at(-1), true);
   workers[2].say({ ready: true });
   workers[2].answer("blade");
-  assert.equal(await second, "blade");
-  // What is waited for while it loads is shown as work, until nobody waits.
-  const { solver: slow, workers: small, busy: shown } = solver();
-  slow.call("draw", "chart_svg", "converge", {});
-  await sleep(200);
-  assert.equal(shown.at(-1), true);
-  slow.call("draw", "chart_svg", "fan", {});
-  small[0].answer("fan");
-  assert.equal(shown.at(-1), false);
-  assert.ok(!busy.includes(true));
+  assert.equal(await parsed, "blade");
+  assert.equal(busy.at(-1), false);
 });

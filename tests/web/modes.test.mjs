@@ -6,7 +6,7 @@ import { lessonWords } from "../../web/modes/lesson.js";
 import { NEAR, TOO_NEAR, nearModes, nearness } from "../../web/modes/nearness.js";
 import { STAGE, camera, chordAt, hubPaths, platePaths } from "../../web/modes/plate.js";
 import { REVOLUTION_S, largest, nodeWords, nodesOf, pace } from "../../web/modes/shape.js";
-import { call, pageTest, rows } from "./support.mjs";
+import { call, pageTest } from "./support.mjs";
 
 const modesTest = (name, options, body) =>
   pageTest(name, { reducedMotion: "no-preference", ...options }, async (page) => {

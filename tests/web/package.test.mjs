@@ -1,80 +1,87 @@
-// The package's two modules: the first view needs the small one alone, and both give the same.
+// The package in the page: one module in two workers, and what is said where it does not come.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { drawn, frequencies, open, pageTest } from "./support.mjs";
+import { drawn, frequencies, open, pageTest, site } from "./support.mjs";
 
-pageTest("the first chart, the table and the sliders need the small module alone", {}, async (page) => {
-  // The page as it was opened asks for the whole module, too, and may do so late: it is let finish.
+pageTest("the first chart, the table and the sliders need no second worker, and the module is fetched once", {}, async (page) => {
+  // The page as it was opened starts its second worker, too, and may do so late: it is let finish.
   await page.locator("#motion svg.shape-plot").waitFor();
   let release;
   const held = new Promise((resolve) => (release = resolve));
-  const asked = [];
-  await page.route("**/*_bg.wasm", async (route) => {
-    asked.push(/(\w+)_bg\.wasm$/.exec(route.request().url())[1]);
-    if (asked.at(-1) === "bladefan_wasm") await held;
+  let workers = 0;
+  page.on("framenavigated", () => (workers = 0));
+  const modules = [];
+  page.on("request", (request) => request.url().endsWith(".wasm") && modules.push(request.url()));
+  await page.route("**/solver/worker.js", async (route) => {
+    if (++workers > 1) await held;
     await route.continue();
   });
   await page.reload();
   await drawn(page);
-  assert.equal(asked[0], "bladefan_first");
   const before = await frequencies(page);
   await page.locator("#what-if-factors-flap_stiffness").fill("0.3");
   await page.waitForFunction((old) => document.querySelectorAll("#modes tbody tr")[1].cells[1].dataset.full !== old, String(before["2F"]));
-  assert.equal(await page.locator("#motion svg.shape-plot").count(), 0, "the moving mode waits for the whole");
+  assert.equal(await page.locator("#motion svg.shape-plot").count(), 0, "the moving mode waits for the second worker");
   release();
   await page.locator("#motion svg.shape-plot").waitFor();
-  assert.deepEqual(asked, ["bladefan_first", "bladefan_wasm"]);
+  assert.equal(modules.length, 1, modules.join());
 });
 
-pageTest("both modules give the same, and the library is what the whole reads", {}, async (page) => {
+pageTest("the library is what the package reads", {}, async (page) => {
   const compared = await page.evaluate(async () => {
-    const [first, whole] = await Promise.all(["first", "wasm"].map((name) => import(`./pkg/bladefan_${name}.js`)));
-    await Promise.all([first.default(), whole.default()]);
-    const { about, blades: library } = await import("./pkg/library.js");
+    const { src } = document.querySelector("script[type=module]");
+    const bladefan = await import(new URL("../pkg/bladefan_wasm.js", src));
+    await bladefan.default();
+    const { about, blades: library } = await import(new URL("../pkg/library.js", src));
     const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
     const faults = [];
-    if (!same(whole.about().value, about)) faults.push("about");
-    const built = whole.built_in_blades().value;
+    if (!same(bladefan.about().value, about)) faults.push("about");
+    const built = bladefan.built_in_blades().value;
     if (built.length !== library.length) faults.push("number of blades");
     for (const [i, { blade, ...rest }] of library.entries()) {
-      if (!same(built[i], rest) || !same(whole.parse_blade(rest.toml).value, blade)) faults.push(`library: ${rest.name}`);
-      for (const [name, ...args] of [["modes", {}], ["modes", { basis: "classical" }], ["fan", {}]]) {
-        if (!same(first[name](blade, ...args), whole[name](blade, ...args))) faults.push(`${name}: ${rest.name}`);
-      }
-      if (!same(first.chart_svg("fan", blade, { width: 700 }), whole.chart_svg("fan", blade, { width: 700 }))) faults.push(`chart_svg: ${rest.name}`);
+      if (!same(built[i], rest) || !same(bladefan.parse_blade(rest.toml).value, blade)) faults.push(rest.name);
     }
-    const refused = [first.chart_svg("shapes", library[0].blade), first.chart_svg("fan", library[0].blade, { measured: "x" })];
-    return { blades: library.length, faults, refused: refused.map(({ status }) => status) };
+    return { blades: library.length, faults };
   });
   assert.ok(compared.blades >= 5);
   assert.deepEqual(compared.faults, []);
-  // What the small module does not know it says, it does not draw something else.
-  assert.deepEqual(compared.refused, ["error", "error"]);
 });
 
-pageTest("a whole module that does not come is said, and asked for again", {}, async (page) => {
-  let gone = true;
-  await page.route("**/bladefan_wasm_bg.wasm", (route) => (gone ? route.abort() : route.continue()));
-  await page.reload();
-  await page.locator("#modes tbody tr").first().waitFor();
-  await page.locator("#tab-converge").click();
-  await page.locator("#solve-faults:not(:empty)").waitFor();
-  gone = false;
-  await page.locator("#tab-fan").click();
-  await page.locator("#tab-converge").click();
-  await page.locator("#chart [data-family]").first().waitFor({ state: "attached" });
+test("a module that never arrives is waited for 30 seconds, then said, and another try brings it", async () => {
+  const context = await site.browser.newContext({ serviceWorkers: "block" });
+  try {
+    const page = await context.newPage();
+    await page.clock.install();
+    let held = true;
+    await page.route("**/*.wasm", (route) => (held ? undefined : route.continue())); // no answer, as on a dead connection
+    await page.goto(site.origin);
+    await page.locator("#blade-choice option[value=sa330]").waitFor({ state: "attached" });
+    await page.clock.runFor(29_000);
+    assert.equal(await page.locator("#solve-faults").isVisible(), false);
+    await page.clock.runFor(2_000);
+    await page.locator("#solve-faults", { hasText: "the solver could not be loaded: it has not arrived within 30 seconds" }).waitFor();
+    held = false;
+    await page.locator("#solve-faults button", { hasText: "Try again" }).click();
+    await page.clock.resume();
+    await drawn(page);
+    await page.locator("#solve-faults").waitFor({ state: "hidden" });
+  } finally {
+    await context.close();
+  }
 });
 
 pageTest("what is opened while a file is being read stays, and keeps its name", {}, async (page) => {
-  // An own blade is kept, then brought back over a connection on which the whole module takes its time.
+  // An own blade is kept, then brought back over a connection on which the worker that reads it takes its time.
   await page.locator("#what-if-factors-mass").fill("0.2");
   await page.waitForFunction(() => Object.keys(localStorage).some((key) => localStorage.getItem(key).includes("packed")));
   const kept = () => page.evaluate(() => JSON.stringify(Object.entries(localStorage)));
   let release;
   const held = new Promise((resolve) => (release = resolve));
-  await page.route("**/bladefan_wasm_bg.wasm", async (route) => {
-    await held;
+  let workers = 0;
+  page.on("framenavigated", () => (workers = 0));
+  await page.route("**/solver/worker.js", async (route) => {
+    if (++workers > 1) await held;
     await route.continue();
   });
   await page.reload();
@@ -88,15 +95,29 @@ pageTest("what is opened while a file is being read stays, and keeps its name", 
   // A change of the other blade does not take the place of the kept one.
   await page.locator("#what-if-factors-mass").fill("0.3");
   await page.waitForFunction((old) => JSON.stringify(Object.entries(localStorage)) !== old, before);
-  assert.equal(await page.evaluate(() => Object.values(localStorage).map((text) => JSON.parse(text)).flat().filter((entry) => entry?.packed).length), 2);
+  assert.equal(
+    await page.evaluate(
+      () =>
+        Object.values(localStorage)
+          .map((text) => JSON.parse(text))
+          .flat()
+          .filter((entry) => entry?.packed).length,
+    ),
+    2,
+  );
 });
 
-test("a library that does not come is said", async () => {
+test("a library that does not come is said, and another try brings it", async () => {
   const { page, close } = await open();
   try {
-    await page.route("**/pkg/library.js", (route) => route.abort());
+    let gone = true;
+    await page.route("**/pkg/library.js", (route) => (gone ? route.abort() : route.continue()));
     await page.reload();
     await page.locator("#solve-faults", { hasText: "could not be loaded" }).waitFor();
+    gone = false;
+    await page.locator("#solve-faults button", { hasText: "Try again" }).click();
+    await drawn(page);
+    await page.locator("#solve-faults").waitFor({ state: "hidden" });
   } finally {
     await close(); // what the browser tells of the request that failed is no complaint here
   }

@@ -302,25 +302,53 @@ test("the page's policy stops scripts in markup and requests to other hosts", as
       const stopped = [];
       addEventListener("securitypolicyviolation", (event) => stopped.push(event.effectiveDirective));
       const script = document.createElement("script");
-      script.textContent = "window.inline = true";
+      script.append("window.inline = true");
       document.body.append(script);
+      // A drawing with a script in it, by the page's own way for drawings.
+      const { src } = document.querySelector("script[type=module]");
+      const { parsedSvg } = await import(new URL("../lib/trusted.js", src));
+      const drawing = document.adoptNode(parsedSvg('<svg xmlns="http://www.w3.org/2000/svg" onclick="window.inline = true"/>').documentElement);
+      document.body.append(drawing);
+      drawing.dispatchEvent(new Event("click"));
+      const refused = [];
+      for (const [name, sink] of Object.entries({
+        markup: () => (document.createElement("p").innerHTML = "<b>"),
+        drawing: () => new DOMParser().parseFromString("<svg/>", "image/svg+xml"),
+        worker: () => new Worker("solver/worker.js"),
+        policy: () => trustedTypes.createPolicy("another", {}),
+      })) {
+        try {
+          sink();
+        } catch {
+          refused.push(name);
+        }
+      }
       await fetch("http://127.0.0.2:9/").catch(() => {});
       await new Promise((resolve) => setTimeout(resolve, 300)); // violations are told of later
-      return { inline: window.inline, stopped };
+      return { inline: window.inline, refused, stopped: [...new Set(stopped)].sort() };
     });
-    assert.deepEqual(stopped, { inline: undefined, stopped: ["script-src-elem", "connect-src"] });
+    assert.deepEqual(stopped, {
+      inline: undefined,
+      refused: ["markup", "drawing", "worker", "policy"],
+      stopped: ["connect-src", "require-trusted-types-for", "script-src-attr", "trusted-types"],
+    });
   } finally {
     await close();
   }
 });
 
-test("a page whose solver cannot be loaded says so", async () => {
+test("a page whose solver cannot be loaded says so, and another try brings it", async () => {
   const context = await site.browser.newContext();
   try {
     const page = await context.newPage();
-    await page.route("**/*.wasm", (route) => route.abort());
+    let gone = true;
+    await page.route("**/*.wasm", (route) => (gone ? route.abort() : route.continue()));
     await page.goto(site.origin);
     await page.locator("#solve-faults li", { hasText: "the solver could not be loaded" }).waitFor();
+    gone = false;
+    await page.locator("#solve-faults button", { hasText: "Try again" }).click();
+    await drawn(page);
+    await page.locator("#solve-faults").waitFor({ state: "hidden" });
   } finally {
     await context.close();
   }
@@ -336,7 +364,7 @@ test("a solver that breaks off is replaced, and the page goes on", async () => {
       const body = `${await response.text()}
         const answer = onmessage;
         onmessage = (event) => {
-          if (event.data.args[1]?.speed === "123rpm") throw new Error("out of memory");
+          if (event.data.args?.[1]?.speed === "123rpm") throw new Error("out of memory");
           return answer(event);
         };`;
       await route.fulfill({ response, body });

@@ -1,9 +1,6 @@
 // Blades that leave the page and come back: link, memory, files, no network.
 
 import assert from "node:assert/strict";
-import { readdirSync, readFileSync } from "node:fs";
-import { join, relative } from "node:path";
-import { fileURLToPath } from "node:url";
 import { test } from "node:test";
 import { pack, unpack } from "../../web/app/pack.js";
 import { NEUTRAL } from "../../web/lib/scale.js";
@@ -140,32 +137,4 @@ pageTest("a file of 10 MB is refused, and nothing is lost", {}, async (page) => 
   await page.locator("#file-input").setInputFiles({ name: "huge.toml", mimeType: "", buffer: Buffer.alloc(10_000_000, "#") });
   await page.locator("#message", { hasText: "huge.toml has 10 MB" }).waitFor();
   assert.deepEqual(await frequencies(page), before);
-});
-
-test("once loaded the page works without a network", async () => {
-  const { page, close } = await open({ serviceWorkers: "allow" });
-  try {
-    await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
-    await page.context().setOffline(true);
-    await page.reload();
-    await drawn(page);
-    await page.locator("#blade-choice").selectOption("sa330");
-    await page.locator('#chart > svg[aria-label*="SA 330"]').waitFor();
-    // What the first view does not need is kept, too.
-    await page.locator("#tab-converge").click();
-    await page.locator("#chart [data-family]").first().waitFor({ state: "attached" });
-  } finally {
-    await close();
-  }
-});
-
-test("what the page keeps for that is all of it", () => {
-  const web = fileURLToPath(new URL("../../web/", import.meta.url));
-  const kept = /const FILES = \[(.*?)\];/s.exec(readFileSync(`${web}sw.js`, "utf8"))[1];
-  const named = [...kept.matchAll(/"([^"]+)"/g)].map((match) => match[1]).filter((name) => name !== "./");
-  const there = readdirSync(web, { recursive: true, withFileTypes: true })
-    .filter((entry) => entry.isFile())
-    .map((entry) => relative(web, join(entry.parentPath ?? entry.path, entry.name)).replaceAll("\\", "/"))
-    .filter((path) => !/^(pkg|docs)\//.test(path) && !["sw.js", "index.html"].includes(path));
-  assert.deepEqual(named.sort(), there.sort());
 });

@@ -116,7 +116,8 @@ export function frequencies(page) {
 export function call(page, name, ...args) {
   return page.evaluate(
     async ([name, args]) => {
-      const bladefan = await import("./pkg/bladefan_wasm.js");
+      const { src } = document.querySelector("script[type=module]");
+      const bladefan = await import(new URL("../pkg/bladefan_wasm.js", src));
       await bladefan.default();
       return bladefan[name](...args);
     },

@@ -15,15 +15,17 @@ import { startChartTools, startCloseTools } from "../chart/tools.js";
 import { startUnchanged } from "../chart/unchanged.js";
 import { startZoom } from "../chart/zoom.js";
 import { at } from "../lib/dom.js";
+import { scriptAddress } from "../lib/trusted.js";
 import { startLesson } from "../modes/lesson.js";
 import { startMotion } from "../modes/motion.js";
 import { startMovers } from "../modes/movers.js";
 import { copyFull } from "../modes/table.js";
 import { startReport } from "../out/report.js";
 import { startSaving } from "../out/save.js";
-import { stopped } from "../solver/client.js";
+import { withModule } from "../solver/client.js";
 import { isShared, startKeepingUp } from "../solver/keep-up.js";
 import { Solver } from "../solver/lanes.js";
+import { compiledModule, inTime } from "../solver/module.js";
 import { startStations } from "../stations/tab.js";
 import { startSession } from "./session.js";
 import { startShare } from "./share.js";
@@ -32,11 +34,10 @@ import { startTheme } from "./theme.js";
 import { startView } from "./view.js";
 
 const store = createStore();
-/** The package's folder, once it is known: the whole module comes from there, so never of another version. */
-let folder = "whole";
-const startWorker = (whole) => new Worker(new URL("../solver/worker.js", import.meta.url), { type: "module", name: whole ? folder : "" });
-const client = new Solver(startWorker, {
+const makeWorker = () => new Worker(scriptAddress(new URL("../solver/worker.js", import.meta.url)), { type: "module" });
+const client = new Solver(() => withModule(makeWorker, compiledModule), {
   onBusy: (busy) => (at("busy").hidden = !busy),
+  onTrouble: (trouble) => store.set({ trouble }),
   late: ["draw", "modes"],
 });
 
@@ -64,7 +65,7 @@ startBand(chart, store);
 startHover(chart, chooseSpeed);
 startNumbers(store);
 startMeasured(store, client);
-startView(store, chart);
+startView(store, chart, tryAgain);
 startKeepingUp(store, client);
 startSaving(store, client, say);
 startMotion(store, client);
@@ -77,6 +78,7 @@ copyFull(at("modes"));
 const fromAddress = startShare(store, open, say);
 const fromLastVisit = startSession(store, open, say);
 
+/** @type {HTMLInputElement[]} */
 const optionFields = [...document.querySelectorAll("[data-option]")];
 store.subscribe(({ options }, changed) => {
   if (!changed.has("options")) return;
@@ -90,6 +92,7 @@ for (const field of optionFields) {
   });
 }
 
+/** @type {HTMLElement[]} */
 const tabs = [...document.querySelectorAll('[role="tab"]')];
 function chooseTab(tab) {
   tab.focus();
@@ -122,14 +125,16 @@ new ResizeObserver(() => {
 }).observe(at("panel"));
 store.subscribe((_, changed) => changed.has("tab") && measure());
 
+let tries = 0;
 async function start() {
-  const library = await import("../pkg/library.js").catch((error) => {
-    store.set({ solveFaults: stopped(`the blades could not be loaded: ${error.message}`).faults });
+  // A module that once did not come is only asked for again by another name.
+  const coming = tries++ === 0 ? import("../pkg/library.js") : import(`../pkg/library.js?again=${tries}`);
+  const library = await inTime(coming).catch((error) => {
+    store.set({ trouble: `the blades could not be loaded: ${error.message}` });
     return null;
   });
   if (library === null) return;
   const { about, blades } = library;
-  folder = library.folder;
   const { speed_units: speedUnits, version } = about;
   at("speed-unit").replaceChildren(...speedUnits.map(({ name }) => new Option(name, name, false, name === store.get().speedUnit)));
   at("speed-unit").disabled = false;
@@ -145,11 +150,23 @@ async function start() {
   at("hint").hidden = false;
 }
 start();
+
+/** After something did not arrive: what was asked of it is still waiting. */
+function tryAgain() {
+  store.set({ trouble: null });
+  if (store.get().about === null) start();
+  client.again();
+}
+
 // Without a network the page goes on from what it keeps; where that is not allowed it just needs one.
 // What is kept is fetched after the first chart, not beside it.
+async function keepForLater() {
+  const registration = await navigator.serviceWorker?.register(scriptAddress("sw.js"), { updateViaCache: "none" });
+  await registration?.update(); // a newer version is kept at this visit, not at some later one
+}
 let keeping = false;
 store.subscribe(({ drawing }) => {
   if (drawing === null || keeping) return;
   keeping = true;
-  if (isSecureContext) navigator.serviceWorker?.register("sw.js").catch(() => {});
+  if (isSecureContext) keepForLater().catch(() => {});
 });

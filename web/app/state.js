@@ -44,6 +44,7 @@ export const STATE = {
   blade: null, // what was last solved: without faults, with what-if
   faults: [], // of the blade, with paths
   solveFaults: [], // of options
+  trouble: null, // why nothing can be solved for now, in words
   warnings: [],
   fan: null, // report of the fan chart
   before: null, // fan chart without what-if, while there is some

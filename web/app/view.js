@@ -3,7 +3,7 @@
 import { OWN } from "../blade/document.js";
 import { summary } from "../chart/numbers.js";
 import { showSpeed } from "../chart/speed.js";
-import { at, write } from "../lib/dom.js";
+import { at, make, write } from "../lib/dom.js";
 import { listFaults } from "../lib/faults.js";
 import { basisWords, fieldNumber } from "../lib/format.js";
 import { shownSpeed, unitFactor } from "../lib/speed-words.js";
@@ -39,7 +39,7 @@ function chosenSpeed(state) {
 function showSource({ library, choice, doc }) {
   const built = library.find((blade) => blade.name === choice);
   at("blade-choice").value = choice;
-  const own = at("blade-choice").querySelector(`option[value="${OWN}"]`);
+  const own = /** @type {HTMLOptionElement} */ (at("blade-choice").querySelector(`option[value="${OWN}"]`));
   own.hidden = choice !== OWN;
   own.textContent = doc?.name && choice === OWN ? `${doc.name} (yours)` : "your own blade";
   at("blade-source").textContent = built ? `${built.quality} data: ${built.citation}` : "Your own blade. It stays in this page.";
@@ -61,16 +61,22 @@ function showLastGood({ faults, solveFaults, textFaults, drawing }) {
   at("last-good").hidden = drawing === null || faults.length + solveFaults.length + textFaults.length === 0;
 }
 
-function showSolveFaults({ solveFaults }) {
+function showSolveFaults({ solveFaults, trouble }, tryAgain) {
   listFaults(at("solve-faults"), solveFaults);
+  if (trouble !== null) {
+    const button = make("button", { type: "button", textContent: "Try again" });
+    button.addEventListener("click", tryAgain);
+    at("solve-faults").append(make("li", {}, `${trouble} `, button));
+    at("solve-faults").hidden = false;
+  }
   at("speed-number").setAttribute("aria-invalid", String(solveFaults.some((fault) => fault.path === "speed")));
-  for (const field of document.querySelectorAll("[data-option]")) {
+  for (const field of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-option]"))) {
     field.setAttribute("aria-invalid", String(solveFaults.some((fault) => fault.path === field.dataset.option)));
   }
 }
 
 function showTab(tab) {
-  for (const button of document.querySelectorAll('[role="tab"]')) {
+  for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('[role="tab"]'))) {
     const chosen = button.id === `tab-${tab}`;
     button.setAttribute("aria-selected", String(chosen));
     button.tabIndex = chosen ? 0 : -1;
@@ -83,7 +89,7 @@ function showTab(tab) {
 }
 
 /** Shows every change of the state from now on. */
-export function startView(store, chart) {
+export function startView(store, chart, tryAgain) {
   let harmonics;
   store.subscribe((state, changed) => {
     const any = (...keys) => keys.some((key) => changed.has(key));
@@ -91,7 +97,7 @@ export function startView(store, chart) {
     if (any("faults")) listFaults(at("blade-faults"), state.faults);
     if (any("warnings")) showWarnings(state);
     if (any("library", "choice", "doc")) showSource(state);
-    if (any("solveFaults")) showSolveFaults(state);
+    if (any("solveFaults", "trouble")) showSolveFaults(state, tryAgain);
     if (any("faults", "solveFaults", "textFaults", "drawing")) showLastGood(state);
     if (state.about === null) return;
     if (any("drawing")) {

@@ -48,9 +48,15 @@ export const frequencyFactor = (unit) => RAD_S[unit] ?? null;
 /** Pixels are those of the drawing's viewBox; speeds and frequencies are in rad/s. */
 export class Frame {
   constructor({ plots, width, height, report }) {
-    Object.assign(this, { plot: plots[0], report, width, height });
+    this.plot = plots[0];
+    this.report = report;
+    this.width = width;
+    this.height = height;
     const { left, top, width: across, height: down } = this.plot;
-    Object.assign(this, { left, top, right: left + across, bottom: top + down });
+    this.left = left;
+    this.top = top;
+    this.right = left + across;
+    this.bottom = top + down;
     this.speedUnit = this.plot.x.unit;
     this.unit = this.plot.y.unit;
   }

@@ -2,13 +2,14 @@
 // stays need not be read, inserted and laid out again at every step of a slider.
 
 import { SVG } from "../lib/dom.js";
+import { parsedSvg } from "../lib/trusted.js";
 
 const ATTRIBUTE = / ([\w-]+)="([^"]*)"/g;
 /** A drawing has a tag or a text on every line; what precedes the attributes of an opening tag. */
 const OPENING = /^<\w+/;
 
 function parse(text) {
-  const parsed = new DOMParser().parseFromString(text, "image/svg+xml");
+  const parsed = parsedSvg(text);
   const root = parsed.documentElement;
   if (root.localName !== "svg" || root.namespaceURI !== SVG || parsed.querySelector("parsererror") !== null) {
     throw new Error("the drawing is not an SVG");

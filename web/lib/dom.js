@@ -3,10 +3,24 @@ export function write(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
-/** The element of this id. */
-export const at = (id) => document.getElementById(id);
+/**
+ * The element of this id, with the type that it has in index.html.
+ * @template {string} Id
+ * @param {Id} id
+ * @returns {Id extends keyof Elements ? Elements[Id] : HTMLElement}
+ */
+export function at(id) {
+  return /** @type {any} */ (document.getElementById(id));
+}
 
-/** A new element with these properties; `dataset` and `aria` are tables of their own. */
+/**
+ * A new element with these properties; `dataset` and `aria` are tables of their own.
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @param {Tag} tag
+ * @param {{ dataset?: object, aria?: object, [property: string]: unknown }} [properties]
+ * @param {(Node | string)[]} children
+ * @returns {HTMLElementTagNameMap[Tag]}
+ */
 export function make(tag, { dataset, aria, ...properties } = {}, ...children) {
   const made = Object.assign(document.createElement(tag), properties);
   Object.assign(made.dataset, dataset);

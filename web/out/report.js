@@ -5,6 +5,7 @@ import { DOFS } from "../lib/dof-toggles.js";
 import { basisWords, boundsWords, fieldNumber, figures, marginWords, paperWords } from "../lib/format.js";
 import { PROPERTIES, isNeutral } from "../lib/scale.js";
 import { unitFactor } from "../lib/speed-words.js";
+import { parsedSvg } from "../lib/trusted.js";
 import { unitOf } from "../lib/unit-words.js";
 import { nearModes, nearNote, nearness } from "../modes/nearness.js";
 import { looksOf } from "../solver/keep-up.js";
@@ -175,7 +176,7 @@ export function startReport(store, client) {
   function chart(state) {
     const drawing = isKept(state) ? kept.drawing : newest;
     if (drawing === null) return [];
-    const svg = document.importNode(new DOMParser().parseFromString(drawing.svg, "image/svg+xml").documentElement, true);
+    const svg = document.importNode(parsedSvg(drawing.svg).documentElement, true);
     svg.removeAttribute("width");
     svg.removeAttribute("height");
     svg.setAttribute("role", "img");

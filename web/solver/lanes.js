@@ -1,46 +1,66 @@
-// The lanes of work, and the solver in two workers that they lead to: one with the small module, for the first chart and the sliders, and one with
-// the whole, started when something else is asked for. Neither its loading nor its work holds up a chart.
+// The lanes of work, and the solver in two workers that they lead to: one for what follows the sliders, fan
+// charts and frequencies, and one for all else, started when that is asked for. Neither its start nor its
+// work holds up a chart.
 
 import { Client } from "./client.js";
 
-/** What the small module answers, beside fan charts without measured points. */
-const SMALL = ["modes", "fan"];
-
-function isSmall(name, [kind, , options]) {
-  return SMALL.includes(name) || (name === "chart_svg" && kind === "fan" && (options?.measured ?? null) === null);
-}
+/** @type {(name: string, args: unknown[]) => boolean} */
+const isFanWork = (name, [kind]) => name === "modes" || name === "fan" || (name === "chart_svg" && kind === "fan");
 
 export class Solver {
-  #startWorker;
-  #options;
-  #small;
-  #whole = null;
+  #fan;
+  #other = null;
+  #makeClient;
   #busy = new Set();
+  #troubles = new Map();
 
-  /** `startWorker(whole)` makes a worker; the options are those of a client. */
-  constructor(startWorker, { onBusy = () => {}, ...options } = {}) {
-    this.#startWorker = startWorker;
-    this.#options = (who) => ({ ...options, onBusy: (busy) => onBusy(this.#count(who, busy)) });
-    this.#small = new Client(() => startWorker(false), this.#options("small"));
+  /**
+   * `startWorker` makes a worker; the options are those of a client.
+   * @param {ConstructorParameters<typeof Client>[0]} startWorker
+   * @param {ConstructorParameters<typeof Client>[1]} [options]
+   */
+  constructor(startWorker, { onBusy = () => {}, onTrouble = () => {}, ...options } = {}) {
+    this.#makeClient = (who) =>
+      new Client(startWorker, {
+        ...options,
+        onBusy: (busy) => onBusy(this.#count(who, busy)),
+        onTrouble: (words) => onTrouble(this.#worst(who, words)),
+      });
+    this.#fan = this.#makeClient("fan");
   }
 
   /** As `Client.call`: of calls in the same lane only the newest counts, whichever worker it is for. */
   call(lane, name, ...args) {
-    const small = isSmall(name, args);
-    if (!small && (this.#whole?.failed ?? true)) this.#whole = new Client(() => this.#startWorker(true), this.#options("whole"));
-    (small ? this.#whole : this.#small)?.drop(lane);
-    return (small ? this.#small : this.#whole).call(lane, name, ...args);
+    if (isFanWork(name, args)) {
+      this.#other?.drop(lane);
+      return this.#fan.call(lane, name, ...args);
+    }
+    this.#fan.drop(lane);
+    this.#other ??= this.#makeClient("other");
+    return this.#other.call(lane, name, ...args);
   }
 
   /** Calls of a lane are no longer wanted, and there is no newer one. */
   drop(lane) {
-    this.#small.drop(lane);
-    this.#whole?.drop(lane);
+    this.#fan.drop(lane);
+    this.#other?.drop(lane);
+  }
+
+  /** Tries again to start what could not be started; what was asked of it is still waiting. */
+  again() {
+    this.#fan.again();
+    this.#other?.again();
   }
 
   #count(who, busy) {
     if (busy) this.#busy.add(who);
     else this.#busy.delete(who);
     return this.#busy.size > 0;
+  }
+
+  /** What keeps one of the workers from its work, in words; null where nothing does. */
+  #worst(who, words) {
+    this.#troubles.set(who, words);
+    return [...this.#troubles.values()].find((trouble) => trouble !== null) ?? null;
   }
 }

@@ -12,7 +12,6 @@ use wasm_bindgen::JsValue;
 
 /// What a call computes; each takes the options of the command of the same name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(not(feature = "whole"), allow(dead_code, reason = "what only the whole package computes"))]
 pub(crate) enum Analysis {
     Modes,
     Fan,
@@ -23,8 +22,7 @@ pub(crate) enum Analysis {
 
 impl Analysis {
     /// What has a chart; modes are a table.
-    const CHARTS: &[Self] =
-        if cfg!(feature = "whole") { &[Self::Fan, Self::Shapes, Self::Converge] } else { &[Self::Fan] };
+    const CHARTS: &[Self] = &[Self::Fan, Self::Shapes, Self::Converge];
 
     /// The kind of a chart, by name.
     pub(crate) fn of_chart(name: &str) -> Option<Self> {
@@ -104,7 +102,7 @@ impl Looks {
                 Some(unit) => self.frequency_unit = unit,
                 None => return refuse("must be rad/s, Hz, rpm or per-rev"),
             },
-            "measured" if cfg!(feature = "whole") && analysis == Analysis::Fan => self.measured = measured::read(text)?,
+            "measured" if analysis == Analysis::Fan => self.measured = measured::read(text)?,
             "frequencies" if analysis == Analysis::Fan => {
                 self.frequencies = Some(parse_frequencies(text)?);
             }

@@ -11,7 +11,7 @@ use wasm_bindgen::prelude::*;
 /// Deepest nesting; a blade file needs three levels.
 const DEEPEST: usize = 16;
 /// Most values in one object. A value that holds itself more than once would take for ever.
-const MOST_VALUES: usize = 2_000_000;
+const MOST_VALUES: u32 = 2_000_000;
 
 #[wasm_bindgen]
 extern "C" {
@@ -49,13 +49,15 @@ pub(crate) fn elements(value: &JsValue, path: &str) -> Result<Option<Vec<JsValue
     }
     let length = Reflect::get(value, &JsValue::from_str("length")).map_err(|_| unreadable(path))?;
     let length = length.as_f64().unwrap_or(0.0);
-    if length > MOST_VALUES as f64 {
+    if length > f64::from(MOST_VALUES) {
         return Err(too_large(path));
     }
-    let read = |index| Reflect::get_f64(value, f64::from(index)).map_err(|_| unreadable(path));
-    // In range: checked just above.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to MOST_VALUES")]
-    (0..length as u32).map(read).collect::<Result<_, _>>().map(Some)
+    let length = length as u32;
+    (0..length)
+        .map(|index| Reflect::get_u32(value, index).map_err(|_| unreadable(path)))
+        .collect::<Result<_, _>>()
+        .map(Some)
 }
 
 /// An object as a tree; `name` is what it is called where it is none.
@@ -77,7 +79,7 @@ pub(crate) fn any(value: &JsValue, name: &str) -> Result<Tree, Fault> {
 
 /// How many more values may be read.
 struct Walk {
-    left: usize,
+    left: u32,
 }
 
 impl Walk {

@@ -228,8 +228,21 @@ export interface ShapesReport {
   basis: Basis;
   r_m: number[];
   radius_m: number;
-  shapes: { label: string; dof: Dof; number: number; frequency_rad_s: number; orthogonality: number; nodes_m: number[]; displacement: number[]; slope: number[]; moment: number[] }[];
+  shapes: ShapeReport[];
   warnings: Warning[];
+}
+export interface ShapeReport {
+  label: string;
+  dof: Dof;
+  number: number;
+  frequency_rad_s: number;
+  /** Largest share of another listed shape of its degree of freedom, by mass or inertia: 0 where orthogonal to all. */
+  orthogonality: number;
+  /** Radii where the displacement passes through zero between root and tip [m], ascending. */
+  nodes_m: number[];
+  displacement: number[];
+  slope: number[];
+  moment: number[];
 }
 
 export interface ConvergeReport {

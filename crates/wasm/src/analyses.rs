@@ -1,0 +1,74 @@
+//! The questions that a blade is asked: one export per call of core's facade.
+
+use crate::options::{self, Analysis};
+use crate::{Answer, solve, string};
+use bladefan_core::analysis;
+use bladefan_core::fault::Faults;
+use bladefan_core::formats;
+use wasm_bindgen::prelude::*;
+
+/// Frequencies of every degree of freedom at one rotor speed.
+#[wasm_bindgen(unchecked_return_type = "Reply<ModesReport>")]
+pub fn modes(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "ModesOptions")] options: &JsValue,
+) -> Answer {
+    solve(blade, options::settings(options, Analysis::Modes), analysis::modes)
+}
+
+/// How far each mode is from the nearest harmonic at one rotor speed; nothing at rest.
+#[wasm_bindgen(unchecked_return_type = "Reply<Margin[]>")]
+pub fn margins(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "ModesOptions")] options: &JsValue,
+) -> Answer {
+    solve(blade, options::settings(options, Analysis::Modes), |blade, settings| {
+        Ok(analysis::margins(&analysis::modes(blade, settings)?))
+    })
+}
+
+/// Fan chart: branches over a range of rotor speeds, crossings, margins at nominal speed.
+#[wasm_bindgen(unchecked_return_type = "Reply<FanChart>")]
+pub fn fan(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "FanOptions")] options: &JsValue,
+) -> Answer {
+    solve(blade, options::settings(options, Analysis::Fan), analysis::fan)
+}
+
+/// Mode shapes along the span at one rotor speed.
+#[wasm_bindgen(unchecked_return_type = "Reply<ShapesReport>")]
+pub fn shapes(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "ShapesOptions")] options: &JsValue,
+) -> Answer {
+    solve(blade, options::settings(options, Analysis::Shapes), analysis::shapes)
+}
+
+/// Frequency against the number of assumed functions at one rotor speed.
+#[wasm_bindgen(unchecked_return_type = "Reply<ConvergeReport>")]
+pub fn converge(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "ConvergeOptions")] options: &JsValue,
+) -> Answer {
+    solve(blade, options::settings(options, Analysis::Converge), analysis::converge)
+}
+
+/// Sets measured points (CSV as `measured` reads it) beside the solver's answer: the frequency of each
+/// point's branch at its own rotor speed.
+#[wasm_bindgen(unchecked_return_type = "Reply<ComparedPoint[]>")]
+pub fn compare(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "string")] csv: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "CompareOptions")] options: &JsValue,
+) -> Answer {
+    let points = string(csv, "csv").and_then(|text| formats::measured::read(&text));
+    let given = Faults::both(points, options::settings(options, Analysis::Compare));
+    solve(blade, given, |blade, (points, settings)| analysis::compare(blade, points, settings))
+}
+
+/// Mass, inertia and static moments of a blade.
+#[wasm_bindgen(unchecked_return_type = "Reply<BladeSummary>")]
+pub fn check(#[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue) -> Answer {
+    solve(blade, Ok(()), |blade, ()| Ok(analysis::summary(blade)))
+}
