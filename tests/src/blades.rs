@@ -2,10 +2,7 @@
 //! definition and check) and the independent solution in [`exact`](crate::exact), so that neither
 //! depends on how the other reads a table.
 
-use bladefan_core::blade::{
-    Blade, BladeDefinition, DistributionDefinition, PropertyDefinition, RootCondition, RootDefinition, RootKind,
-    RotorDefinition,
-};
+use bladefan_core::blade::{Blade, BladeDefinition, Property, PropertyDefinition, RootCondition, RootDefinition};
 use bladefan_core::dof::Dof;
 use bladefan_core::formats::{Format, read};
 use bladefan_core::library;
@@ -179,38 +176,25 @@ impl TestBlade {
     pub fn definition(&self) -> BladeDefinition {
         let root = |dof: Dof| {
             let End { offset, hold } = self.roots[dof.index()];
-            let (kind, spring) = match (dof, hold) {
-                (Dof::Torsion, Hold::Clamped) => (RootKind::Rigid, None),
-                (Dof::Torsion, Hold::Free) => (RootKind::Spring, Some(0.0)),
-                (Dof::Torsion, Hold::Spring(k)) => (RootKind::Spring, Some(k)),
-                (_, Hold::Clamped) => (RootKind::Hingeless, None),
-                (_, Hold::Free) => (RootKind::Hinged, None),
-                (_, Hold::Spring(k)) => (RootKind::SpringHinged, Some(k)),
-            };
-            Some(RootDefinition { root: Some(kind), offset: Some(offset), offset_ratio: None, spring })
+            match (dof, hold) {
+                (Dof::Torsion, Hold::Clamped) => RootDefinition::rigid(offset),
+                (Dof::Torsion, Hold::Free) => RootDefinition::spring(offset, 0.0),
+                (Dof::Torsion, Hold::Spring(k)) => RootDefinition::spring(offset, k),
+                (_, Hold::Clamped) => RootDefinition::hingeless(offset),
+                (_, Hold::Free) => RootDefinition::hinged(offset),
+                (_, Hold::Spring(k)) => RootDefinition::spring_hinged(offset, k),
+            }
         };
-        BladeDefinition {
-            name: Some("test blade".into()),
-            rotor: Some(RotorDefinition {
-                radius: Some(self.radius),
-                nominal_speed: Some(self.nominal_speed),
-                blades: None,
-            }),
-            flap: root(Dof::Flap),
-            lag: root(Dof::Lag),
-            torsion: root(Dof::Torsion),
-            distribution: Some(DistributionDefinition {
-                r: None,
-                mass: Some(self.mass.definition()),
-                flap_stiffness: Some(self.stiffness[0].definition()),
-                lag_stiffness: Some(self.stiffness[1].definition()),
-                torsion_stiffness: Some(self.stiffness[2].definition()),
-                polar_inertia: Some(self.polar_inertia.definition()),
-                mass_offset: Some(self.mass_offset.definition()),
-                twist: None,
-            }),
-            ..BladeDefinition::default()
-        }
+        BladeDefinition::new("test blade", self.radius, self.nominal_speed)
+            .with_flap(root(Dof::Flap))
+            .with_lag(root(Dof::Lag))
+            .with_torsion(root(Dof::Torsion))
+            .with(Property::Mass, self.mass.definition())
+            .with(Property::FlapStiffness, self.stiffness[0].definition())
+            .with(Property::LagStiffness, self.stiffness[1].definition())
+            .with(Property::TorsionStiffness, self.stiffness[2].definition())
+            .with(Property::PolarInertia, self.polar_inertia.definition())
+            .with(Property::MassOffset, self.mass_offset.definition())
     }
 
     /// A built-in blade, by its name.

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
 use bladefan_core::analysis::{Settings, ShapeScale, SpeedRange, converge, fan, modes, shapes};
-use bladefan_core::blade::{BladeDefinition, PropertyDefinition, check};
+use bladefan_core::blade::{BladeDefinition, Property, PropertyDefinition, check};
 use bladefan_core::dof::Dof;
 use bladefan_core::fault::FaultCode;
 use bladefan_core::functions::BasisFamily;
@@ -381,13 +381,13 @@ fn in_inches(blade: &TestBlade) -> BladeDefinition {
         root.spring = root.spring.map(|spring| spring / (pound * gravity * inch));
     }
     let distribution = definition.distribution.as_mut().unwrap();
-    property(&mut distribution.mass, pound / inch);
+    property(&mut distribution[Property::Mass], pound / inch);
     let stiffness = pound * gravity * inch * inch;
-    property(&mut distribution.flap_stiffness, stiffness);
-    property(&mut distribution.lag_stiffness, stiffness);
-    property(&mut distribution.torsion_stiffness, stiffness);
-    property(&mut distribution.polar_inertia, pound * inch);
-    property(&mut distribution.mass_offset, inch);
+    property(&mut distribution[Property::FlapStiffness], stiffness);
+    property(&mut distribution[Property::LagStiffness], stiffness);
+    property(&mut distribution[Property::TorsionStiffness], stiffness);
+    property(&mut distribution[Property::PolarInertia], pound * inch);
+    property(&mut distribution[Property::MassOffset], inch);
     definition
 }
 

@@ -4,21 +4,30 @@
 
 use bladefan_core::analysis::{self, Settings};
 use bladefan_core::blade::{
-    Blade, BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition,
-    Source, check, convert,
+    Blade, BladeDefinition, DistributionDefinition, Property, PropertyDefinition, RootDefinition, RootKind,
+    RotorDefinition, Source, check, convert,
 };
 use bladefan_core::dof::Dof;
 use bladefan_core::formats::{Format, measured, read, to_json, to_toml};
 use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit, Units};
 use bladefan_tests::faults::{BASE_JSON, BASE_TOML};
+use core::ops::Range;
 use proptest::collection::vec;
 use proptest::option;
 use proptest::prelude::*;
 use proptest::sample::select;
 
-/// Positive numbers of any size that keeps its sense in every unit.
-fn positive() -> impl Strategy<Value = f64> {
-    (-40..40_i32, 1.0..10.0_f64).prop_map(|(exponent, m)| m * 10_f64.powi(exponent))
+/// Positive numbers of 10 to a power within these.
+fn powers(exponents: Range<i32>) -> impl Strategy<Value = f64> {
+    (exponents, 1.0..10.0_f64).prop_map(|(exponent, m)| m * 10_f64.powi(exponent))
+}
+
+/// Numbers of any size that is legal in every unit.
+fn value(property: Property) -> impl Strategy<Value = f64> {
+    powers(match property {
+        Property::MassOffset | Property::Twist => -40..5,
+        _ => -20..20,
+    })
 }
 
 fn units() -> impl Strategy<Value = Units> {
@@ -64,42 +73,28 @@ fn table(radius: f64, value: impl Strategy<Value = f64>) -> impl Strategy<Value 
     })
 }
 
-fn property(radius: f64, stations: usize) -> impl Strategy<Value = PropertyDefinition> {
-    prop_oneof![
-        positive().prop_map(PropertyDefinition::Uniform),
-        vec(positive(), stations).prop_map(PropertyDefinition::OnStations),
-        table(radius, positive()).prop_map(|(r, values)| PropertyDefinition::OwnRadii { r, values }),
-    ]
+fn property(property: Property, radius: f64, stations: usize) -> BoxedStrategy<Option<PropertyDefinition>> {
+    let given = prop_oneof![
+        value(property).prop_map(PropertyDefinition::Uniform),
+        vec(value(property), stations).prop_map(PropertyDefinition::OnStations),
+        table(radius, value(property)).prop_map(|(r, values)| PropertyDefinition::OwnRadii { r, values }),
+    ];
+    if property.is_required() { given.prop_map(Some).boxed() } else { option::of(given).boxed() }
 }
 
 fn distribution(radius: f64) -> impl Strategy<Value = DistributionDefinition> {
     table(radius, Just(1.0)).prop_flat_map(move |(r, _)| {
-        let property = || property(radius, r.len());
-        (
-            (property(), property(), property(), property(), property()),
-            option::of(property()),
-            option::of(property()),
-            Just(r.clone()),
-        )
-            .prop_map(|((mass, flap, lag, torsion, inertia), mass_offset, twist, r)| DistributionDefinition {
-                r: Some(r),
-                mass: Some(mass),
-                flap_stiffness: Some(flap),
-                lag_stiffness: Some(lag),
-                torsion_stiffness: Some(torsion),
-                polar_inertia: Some(inertia),
-                mass_offset,
-                twist,
-            })
+        let properties = Property::ALL.map(|each| property(each, radius, r.len()));
+        (properties, Just(r)).prop_map(|(properties, r)| DistributionDefinition { r: Some(r), properties })
     })
 }
 
 fn definition() -> impl Strategy<Value = BladeDefinition> {
-    positive().prop_flat_map(|radius| {
+    powers(-3..5).prop_flat_map(|radius| {
         (
             (any::<String>(), option::of(any::<String>()), option::of(any::<String>()), any::<bool>()),
             units(),
-            (positive(), option::of(1..9_u8)),
+            (powers(-8..8), option::of(1..9_u8)),
             (root(Dof::Flap, radius), root(Dof::Lag, radius), root(Dof::Torsion, radius)),
             distribution(radius),
         )

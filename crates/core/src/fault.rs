@@ -1,7 +1,10 @@
 //! What is wrong with an input, and what is worth knowing about one.
 
 use alloc::string::String;
+use alloc::vec;
+use alloc::vec::Vec;
 use core::fmt;
+use core::ops::Deref;
 
 /// The kind of a fault. Its name in results is stable; scripts may match on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -112,6 +115,98 @@ impl fmt::Display for Fault {
 
 impl core::error::Error for Fault {}
 
+/// Everything that is wrong with an input: at least one fault where a call failed.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(transparent))]
+pub struct Faults(Vec<Fault>);
+
+impl Faults {
+    /// `Ok` where there is no fault.
+    ///
+    /// # Errors
+    /// The faults.
+    pub fn none(self) -> Result<(), Self> {
+        if self.0.is_empty() { Ok(()) } else { Err(self) }
+    }
+
+    /// Both results, or the faults of both.
+    ///
+    /// # Errors
+    /// The faults of the first, then those of the second.
+    pub fn both<A, B>(a: Result<A, Self>, b: Result<B, Self>) -> Result<(A, B), Self> {
+        match (a, b) {
+            (Ok(a), Ok(b)) => Ok((a, b)),
+            (a, b) => Err(a.err().into_iter().chain(b.err()).flatten().collect()),
+        }
+    }
+}
+
+impl fmt::Display for Faults {
+    /// One fault per line.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, fault) in self.0.iter().enumerate() {
+            if i > 0 {
+                f.write_str("\n")?;
+            }
+            write!(f, "{fault}")?;
+        }
+        Ok(())
+    }
+}
+
+impl core::error::Error for Faults {}
+
+impl Deref for Faults {
+    type Target = [Fault];
+
+    fn deref(&self) -> &[Fault] {
+        &self.0
+    }
+}
+
+impl From<Fault> for Faults {
+    fn from(fault: Fault) -> Self {
+        Self(vec![fault])
+    }
+}
+
+impl From<Vec<Fault>> for Faults {
+    fn from(faults: Vec<Fault>) -> Self {
+        Self(faults)
+    }
+}
+
+impl From<Faults> for Vec<Fault> {
+    fn from(faults: Faults) -> Self {
+        faults.0
+    }
+}
+
+impl FromIterator<Fault> for Faults {
+    fn from_iter<I: IntoIterator<Item = Fault>>(faults: I) -> Self {
+        Self(faults.into_iter().collect())
+    }
+}
+
+impl IntoIterator for Faults {
+    type Item = Fault;
+    type IntoIter = vec::IntoIter<Fault>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
+    }
+}
+
+impl<'a> IntoIterator for &'a Faults {
+    type Item = &'a Fault;
+    type IntoIter = core::slice::Iter<'a, Fault>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.iter()
+    }
+}
+
 /// Something in a legal input that does not act as its author may expect.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -125,5 +220,38 @@ pub struct Warning {
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: {}", self.path, self.message)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::string::ToString;
+
+    fn fault(path: &str) -> Fault {
+        Fault::new(FaultCode::Missing, path, None, "must be given", "it must be given")
+    }
+
+    #[test]
+    fn faults_are_an_error_of_one_line_each() {
+        let faults = Faults::from(vec![fault("a"), Fault { line: Some(2), column: Some(3), ..fault("b") }]);
+        assert_eq!(faults.to_string(), "a: it must be given\n2:3: b: it must be given");
+        let error: alloc::boxed::Box<dyn core::error::Error> = faults.clone().into();
+        assert_eq!(error.to_string(), faults.to_string());
+        assert_eq!((faults.len(), faults[0].path.as_str()), (2, "a"));
+    }
+
+    #[test]
+    fn faults_of_two_things_are_told_at_once() {
+        let (a, b): (Result<(), Faults>, Result<(), Faults>) = (Err(fault("a").into()), Err(fault("b").into()));
+        assert_eq!(Faults::both(Ok(1), Ok(2)), Ok((1, 2)));
+        assert_eq!(Faults::both(a.clone(), Ok(2)), Err(fault("a").into()));
+        assert_eq!(Faults::both(a, b).unwrap_err().into_iter().map(|fault| fault.path).collect::<Vec<_>>(), ["a", "b"]);
+    }
+
+    #[test]
+    fn no_fault_is_no_failure() {
+        assert_eq!(Faults::default().none(), Ok(()));
+        assert!(Faults::from(fault("a")).none().is_err());
     }
 }

@@ -63,6 +63,7 @@ pub mod fault;
 #[cfg(feature = "formats")]
 pub mod formats;
 pub mod functions;
+pub mod label;
 pub mod lagrange;
 #[cfg(feature = "library")]
 pub mod library;

@@ -18,9 +18,9 @@ use crate::options::Analysis;
 use crate::reply::reply;
 use bladefan_core::VERSION;
 use bladefan_core::analysis;
-use bladefan_core::blade::Blade;
+use bladefan_core::blade::{self, Blade};
 use bladefan_core::chart::{self, Drawing, PlotArea};
-use bladefan_core::fault::{Fault, FaultCode};
+use bladefan_core::fault::{Fault, FaultCode, Faults};
 use bladefan_core::formats::{self, BladeFile, Tree};
 use bladefan_core::report::FanChart;
 #[cfg(feature = "whole")]
@@ -88,7 +88,7 @@ pub fn chart_svg(
 ) -> Answer {
     let Some(analysis) = kind.as_string().and_then(|name| Analysis::of_chart(&name)) else {
         let rule = "must be fan, shapes or converge";
-        return reply::<()>(Err(vec![Fault::new(FaultCode::UnknownChoice, "kind", kind.as_string(), rule, rule)]));
+        return reply::<()>(Err(Fault::new(FaultCode::UnknownChoice, "kind", kind.as_string(), rule, rule).into()));
     };
     solve(blade, options::settings_and_looks(options, analysis), |blade, (settings, looks)| {
         let looks = looks.chart_options(settings);
@@ -111,6 +111,25 @@ pub fn chart_svg(
     })
 }
 
+/// A blade with changes, one after the other: what-if, sweeps and sensitivities are made of these.
+/// The changed blade is not checked; a blade that cannot be read gives the faults of its reading and
+/// its check.
+#[wasm_bindgen(unchecked_return_type = "Reply<ChangedBlade>")]
+pub fn change_blade(
+    #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Change[]")] changes: &JsValue,
+) -> Answer {
+    let given = read_tree(blade, "blade").and_then(|tree| {
+        formats::read_definition(&tree).map_err(|faults| formats::read_tree(&tree).err().unwrap_or(faults))
+    });
+    // Without a blade the faults of the changes are the same.
+    let units = given.as_ref().map(|definition| definition.units).unwrap_or_default();
+    let changes = tree::any(changes, "changes").map_err(Faults::from);
+    let changes = changes.and_then(|tree| formats::read_changes(&tree, units));
+    let changed = Faults::both(given, changes).and_then(|(given, changes)| blade::change(&given, &changes));
+    reply(changed.map(|changed| (changed, Vec::new())))
+}
+
 /// Version of this program.
 #[wasm_bindgen]
 pub fn version() -> String {
@@ -120,8 +139,8 @@ pub fn version() -> String {
 /// Solves with a blade and settings that may both be faulty: all faults at once.
 fn solve<S, R: Serialize>(
     blade: &JsValue,
-    settings: Result<S, Vec<Fault>>,
-    solve: impl FnOnce(&Blade, &S) -> Result<R, Vec<Fault>>,
+    settings: Result<S, Faults>,
+    solve: impl FnOnce(&Blade, &S) -> Result<R, Faults>,
 ) -> Answer {
     with(blade, settings, |file, settings| solve(&file.blade, settings))
 }
@@ -129,29 +148,21 @@ fn solve<S, R: Serialize>(
 /// The same with the blade as given and as checked.
 fn with<S, R: Serialize>(
     blade: &JsValue,
-    settings: Result<S, Vec<Fault>>,
-    answer: impl FnOnce(&BladeFile, &S) -> Result<R, Vec<Fault>>,
+    settings: Result<S, Faults>,
+    answer: impl FnOnce(&BladeFile, &S) -> Result<R, Faults>,
 ) -> Answer {
-    reply(both(read_blade(blade), settings).and_then(|(file, settings)| {
+    reply(Faults::both(read_blade(blade), settings).and_then(|(file, settings)| {
         let result = answer(&file, &settings)?;
-        Ok((result, file.blade.warnings().to_vec()))
+        Ok((result, analysis::warnings(&file.blade)))
     }))
 }
 
-/// Both, or the faults of both.
-fn both<A, B>(a: Result<A, Vec<Fault>>, b: Result<B, Vec<Fault>>) -> Result<(A, B), Vec<Fault>> {
-    match (a, b) {
-        (Ok(a), Ok(b)) => Ok((a, b)),
-        (a, b) => Err([a.err().unwrap_or_default(), b.err().unwrap_or_default()].concat()),
-    }
-}
-
-fn read_tree(value: &JsValue, name: &str) -> Result<Tree, Vec<Fault>> {
-    tree::tree(value, name).map_err(|fault| vec![fault])
+fn read_tree(value: &JsValue, name: &str) -> Result<Tree, Faults> {
+    Ok(tree::tree(value, name)?)
 }
 
 // Not into every export that takes a blade.
 #[inline(never)]
-fn read_blade(blade: &JsValue) -> Result<Box<BladeFile>, Vec<Fault>> {
+fn read_blade(blade: &JsValue) -> Result<Box<BladeFile>, Faults> {
     read_tree(blade, "blade").and_then(|tree| formats::read_tree(&tree)).map(Box::new)
 }

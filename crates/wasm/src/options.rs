@@ -4,7 +4,7 @@
 use crate::tree::{elements, entries};
 use bladefan_core::analysis::Settings;
 use bladefan_core::chart::{ChartOptions, FrequencyUnit, Theme, parse_frequencies};
-use bladefan_core::fault::{Fault, FaultCode};
+use bladefan_core::fault::{Fault, FaultCode, Faults};
 use bladefan_core::formats::measured;
 use bladefan_core::report::MeasuredPoint;
 use bladefan_core::units::SpeedUnit;
@@ -81,8 +81,8 @@ impl Looks {
     }
 
     /// Sets one option of a drawing; tells whether there is one of this name.
-    fn set(&mut self, name: &str, text: &str, analysis: Analysis) -> Result<bool, Vec<Fault>> {
-        let refuse = |rule: &str| Err(vec![option_fault(name, text, rule)]);
+    fn set(&mut self, name: &str, text: &str, analysis: Analysis) -> Result<bool, Faults> {
+        let refuse = |rule: &str| Err(option_fault(name, text, rule).into());
         match name {
             "theme" => match Theme::from_name(text) {
                 Some(theme) => self.theme = theme,
@@ -106,7 +106,7 @@ impl Looks {
             },
             "measured" if cfg!(feature = "whole") && analysis == Analysis::Fan => self.measured = measured::read(text)?,
             "frequencies" if analysis == Analysis::Fan => {
-                self.frequencies = Some(parse_frequencies(text).map_err(|fault| vec![fault])?);
+                self.frequencies = Some(parse_frequencies(text)?);
             }
             _ => return Ok(false),
         }
@@ -115,25 +115,25 @@ impl Looks {
 }
 
 /// Reads the options of an analysis.
-pub(crate) fn settings(options: &JsValue, analysis: Analysis) -> Result<Settings, Vec<Fault>> {
+pub(crate) fn settings(options: &JsValue, analysis: Analysis) -> Result<Settings, Faults> {
     read(options, analysis, None)
 }
 
 /// Reads the options of an analysis and of its drawing.
-pub(crate) fn settings_and_looks(options: &JsValue, analysis: Analysis) -> Result<(Settings, Looks), Vec<Fault>> {
+pub(crate) fn settings_and_looks(options: &JsValue, analysis: Analysis) -> Result<(Settings, Looks), Faults> {
     let mut looks = Looks::default();
     let settings = read(options, analysis, Some(&mut looks))?;
     Ok((settings, looks))
 }
 
 /// All faults of the options at once, as the command line gives them.
-fn read(options: &JsValue, analysis: Analysis, mut looks: Option<&mut Looks>) -> Result<Settings, Vec<Fault>> {
+fn read(options: &JsValue, analysis: Analysis, mut looks: Option<&mut Looks>) -> Result<Settings, Faults> {
     let mut settings = Settings::default();
     if options.is_undefined() || options.is_null() {
         return Ok(settings);
     }
     let mut faults = Vec::new();
-    for (name, value) in entries(options, "options").map_err(|fault| vec![fault])? {
+    for (name, value) in entries(options, "options")? {
         if value.is_undefined() || value.is_null() {
             continue; // not given
         }
@@ -165,7 +165,7 @@ fn read(options: &JsValue, analysis: Analysis, mut looks: Option<&mut Looks>) ->
     if faults.is_empty() {
         faults = if analysis == Analysis::Converge { settings.check_converge() } else { settings.check() };
     }
-    if faults.is_empty() { Ok(settings) } else { Err(faults) }
+    Faults::from(faults).none().map(|()| settings)
 }
 
 /// An option's value as on the command line: numbers in decimals that read back to the same f64,

@@ -1,6 +1,6 @@
 //! Results as JavaScript objects.
 
-use bladefan_core::fault::{Fault, Warning};
+use bladefan_core::fault::{Faults, Warning};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::{JsError, JsValue};
@@ -15,7 +15,7 @@ enum Reply {
         warnings: Vec<Warning>,
     },
     Error {
-        faults: Vec<Fault>,
+        faults: Faults,
     },
 }
 
@@ -23,7 +23,7 @@ enum Reply {
 ///
 /// # Errors
 /// Only by a mistake of ours: a result that cannot be written as an object.
-pub(crate) fn reply<T: Serialize>(result: Result<(T, Vec<Warning>), Vec<Fault>>) -> Result<JsValue, JsError> {
+pub(crate) fn reply<T: Serialize>(result: Result<(T, Vec<Warning>), Faults>) -> Result<JsValue, JsError> {
     object(&match result {
         Ok((value, warnings)) => Reply::Ok { value: object(&value)?, warnings },
         Err(faults) => Reply::Error { faults },

@@ -67,6 +67,14 @@ pub(crate) fn tree(value: &JsValue, name: &str) -> Result<Tree, Fault> {
     Walk { left: MOST_VALUES }.tree(value, "", 0)
 }
 
+/// Any value as a tree; `name` is what it is called in paths.
+///
+/// # Errors
+/// As for [`tree`].
+pub(crate) fn any(value: &JsValue, name: &str) -> Result<Tree, Fault> {
+    Walk { left: MOST_VALUES }.tree(value, name, 0)
+}
+
 /// How many more values may be read.
 struct Walk {
     left: usize,

@@ -71,6 +71,31 @@ export interface BladeRoot<Kind> {
   spring?: number;
 }
 
+/** One change of a blade: one of `scale`, `set` and `add`. */
+export interface Change {
+  /** A path of the blade file: "distribution.mass" and the other properties, "flap.offset", "lag.spring", "rotor.nominal_speed". */
+  what: string;
+  /** Times this. A mass that is scaled takes the polar inertia along. */
+  scale?: number | null;
+  /** To this, in `units`. */
+  set?: number | null;
+  /** By this, in `units`. */
+  add?: number | null;
+  /** Inner and outer end of the part of the span that is changed, in `units`; absent: to the end on that side. Properties only. */
+  from?: number | null;
+  to?: number | null;
+  /** Units of the numbers here; absent ones are the blade's. */
+  units?: Units | null;
+  /** Leaves the polar inertia as it is where mass is scaled. */
+  mass_alone?: boolean | null;
+}
+/** A blade after changes, in its own units. */
+export interface ChangedBlade {
+  blade: Blade;
+  /** What was changed along with what was asked for. */
+  notes: Warning[];
+}
+
 /** A rotor speed: a number in rad/s, or text with a unit ("660rpm", "11Hz", "69.1rad/s"). */
 export type Speed = number | string;
 
@@ -194,7 +219,7 @@ export interface ShapesReport {
   basis: Basis;
   r_m: number[];
   radius_m: number;
-  shapes: { label: string; dof: Dof; number: number; frequency_rad_s: number; displacement: number[]; slope: number[]; moment: number[] }[];
+  shapes: { label: string; dof: Dof; number: number; frequency_rad_s: number; orthogonality: number; displacement: number[]; slope: number[]; moment: number[] }[];
   warnings: Warning[];
 }
 

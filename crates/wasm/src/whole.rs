@@ -3,12 +3,12 @@
 
 use crate::options::{self, Analysis};
 use crate::reply::reply;
-use crate::{Answer, both, read_tree, solve, tree, with};
+use crate::{Answer, read_tree, solve, tree, with};
 use bladefan_core::VERSION;
 use bladefan_core::analysis;
 use bladefan_core::blade;
 use bladefan_core::chart::FrequencyUnit;
-use bladefan_core::fault::{Fault, FaultCode};
+use bladefan_core::fault::{Fault, FaultCode, Faults};
 use bladefan_core::formats::{self, BladeFile, Format};
 use bladefan_core::library;
 use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit};
@@ -22,7 +22,7 @@ pub fn parse_blade(
     #[wasm_bindgen(unchecked_param_type = "string")] text: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "\"toml\" | \"json\"")] format: &JsValue,
 ) -> Answer {
-    reply(read_text(text, format).map(|file| (file.definition, file.blade.warnings().to_vec())))
+    reply(read_text(text, format).map(|file| (file.definition, analysis::warnings(&file.blade))))
 }
 
 /// The text of a blade file in TOML or JSON, which `parse_blade` reads back the same.
@@ -51,7 +51,7 @@ pub fn convert_blade(
     // The blade's own units stand in for absent ones; without a blade the faults are the same.
     let own = given.as_ref().map(|definition| definition.units).unwrap_or_default();
     let units = read_tree(units, "units").and_then(|tree| formats::read_units(&tree, own));
-    reply(both(given, units).map(|(given, units)| (blade::convert(&given, units), Vec::new())))
+    reply(Faults::both(given, units).map(|(given, units)| (blade::convert(&given, units), Vec::new())))
 }
 
 /// How far each mode is from the nearest harmonic at one rotor speed; nothing at rest.
@@ -104,7 +104,7 @@ pub fn compare(
     #[wasm_bindgen(unchecked_optional_param_type = "CompareOptions")] options: &JsValue,
 ) -> Answer {
     let points = string(csv, "csv").and_then(|text| formats::measured::read(&text));
-    let given = both(points, options::settings(options, Analysis::Compare));
+    let given = Faults::both(points, options::settings(options, Analysis::Compare));
     solve(blade, given, |blade, (points, settings)| analysis::compare(blade, points, settings))
 }
 
@@ -124,7 +124,7 @@ pub fn built_in_blades() -> Answer {
         let source = definition.source.unwrap_or_default();
         Ok(BuiltIn { name, title: definition.name, quality: source.quality, citation: source.citation, toml })
     });
-    reply(listed.collect::<Result<Vec<_>, Vec<Fault>>>().map(|blades| (blades, Vec::new())))
+    reply(listed.collect::<Result<Vec<_>, Faults>>().map(|blades| (blades, Vec::new())))
 }
 
 /// What a page says about the program: its version, its model, the units it knows.
@@ -168,14 +168,14 @@ pub fn about() -> Answer {
     reply(Ok((about, Vec::new())))
 }
 
-fn read_text(text: &JsValue, format: &JsValue) -> Result<BladeFile, Vec<Fault>> {
+fn read_text(text: &JsValue, format: &JsValue) -> Result<BladeFile, Faults> {
     let text = string(text, "text")?;
     let format = known_format(format)?.unwrap_or_else(|| Format::of_text(&text));
     formats::read(&text, format)
 }
 
 /// A format by name; none where it is not given.
-fn known_format(format: &JsValue) -> Result<Option<Format>, Vec<Fault>> {
+fn known_format(format: &JsValue) -> Result<Option<Format>, Faults> {
     match format.as_string().as_deref() {
         Some("toml") => Ok(Some(Format::Toml)),
         Some("json") => Ok(Some(Format::Json)),
@@ -184,11 +184,11 @@ fn known_format(format: &JsValue) -> Result<Option<Format>, Vec<Fault>> {
     }
 }
 
-fn unknown_format(given: Option<&str>) -> Vec<Fault> {
+fn unknown_format(given: Option<&str>) -> Faults {
     let rule = "must be toml or json";
-    vec![Fault::new(FaultCode::UnknownChoice, "format", given.map(String::from), rule, rule)]
+    Fault::new(FaultCode::UnknownChoice, "format", given.map(String::from), rule, rule).into()
 }
 
-fn string(value: &JsValue, name: &str) -> Result<String, Vec<Fault>> {
-    value.as_string().ok_or_else(|| vec![tree::fault(name, "must be text")])
+fn string(value: &JsValue, name: &str) -> Result<String, Faults> {
+    value.as_string().ok_or_else(|| tree::fault(name, "must be text").into())
 }

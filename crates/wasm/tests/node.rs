@@ -7,8 +7,8 @@
 #![allow(missing_docs, reason = "tests say it by their names")]
 
 use bladefan_wasm::{
-    about, built_in_blades, chart_svg, check, compare, converge, convert_blade, fan, margins, measured, modes,
-    parse_blade, shapes, version, write_blade,
+    about, built_in_blades, change_blade, chart_svg, check, compare, converge, convert_blade, fan, margins, measured,
+    modes, parse_blade, shapes, version, write_blade,
 };
 use js_sys::{Array, Function, JSON, Object, Reflect};
 use wasm_bindgen::prelude::*;
@@ -360,4 +360,34 @@ fn faults_of_a_text_have_their_place() {
     let line = bad.lines().position(|line| line.starts_with("radius")).unwrap() + 1;
     assert_eq!(number(&given, "faults.0.line"), line as f64);
     assert!(number(&given, "faults.0.column") > 1.0);
+}
+
+#[wasm_bindgen_test]
+fn a_blade_is_changed_and_what_goes_along_is_said() {
+    let changes = js(
+        "[{ what: 'distribution.mass', scale: 2, from: null }, { what: 'flap.offset', set: 50, units: { length: 'mm' } }]",
+    );
+    let changed = value(change_blade(&blade(), &changes));
+    assert_eq!(text(&changed, "notes.0.path"), "distribution.polar_inertia");
+    let alone = js("[{ what: 'distribution.mass', scale: 2, mass_alone: true }]");
+    assert_eq!(length(&value(change_blade(&blade(), &alone)), "notes"), 0);
+    let same = value(change_blade(&blade(), &js("[]")));
+    assert_eq!(JSON::stringify(&get(&same, "blade")).unwrap(), JSON::stringify(&blade()).unwrap());
+    let bad = js(
+        "[{ what: 'mass', scale: 2 }, { what: 'flap.spring', set: 1, add: 1 }, { what: 'lag.spring', scale: '2' }, 4]",
+    );
+    let expected = [
+        "unknown-choice changes[0].what: what is changed must be rotor.nominal_speed, flap.offset, flap.spring, \
+         lag.offset, lag.spring, torsion.offset, torsion.spring, distribution.mass, distribution.flap_stiffness, \
+         distribution.lag_stiffness, distribution.torsion_stiffness, distribution.polar_inertia, \
+         distribution.mass_offset or distribution.twist (is mass)",
+        "conflict changes[1]: a change must have one of scale, set and add",
+        "wrong-type changes[2].scale: scale must be a number (is \"2\")",
+        "wrong-type changes[3]: changes [3] must be a table (is 4)",
+    ];
+    assert_eq!(faults(change_blade(&blade(), &bad)), expected);
+    assert_eq!(
+        faults(change_blade(&blade(), &js("1"))),
+        ["wrong-type changes: changes must be a list of changes (is 1)"]
+    );
 }

@@ -4,7 +4,7 @@ use super::settings::Settings;
 use crate::blade::Blade;
 use crate::converged::Converged;
 use crate::dof::Dof;
-use crate::fault::Fault;
+use crate::fault::Faults;
 use crate::functions::{AssumedFunctions, BasisFamily};
 use crate::lagrange::{Bounds, Energies, Fields, FromTip, Grid, SystemMatrices, assemble, bounds, classical_functions};
 use crate::modes::{self, Mode, SolveError};
@@ -54,7 +54,7 @@ impl Basis {
         range: (f64, f64),
         count: usize,
         rules: &GaussRules,
-    ) -> Result<Self, Vec<Fault>> {
+    ) -> Result<Self, Faults> {
         Ok(match settings.basis {
             BasisFamily::Classical => {
                 Self::Classical(Box::new(Classical::new(blade, dof, settings.functions, rules, false)))
@@ -127,11 +127,11 @@ pub(super) fn converged(
     range: (f64, f64),
     count: usize,
     rules: &GaussRules,
-) -> Result<Converged, Vec<Fault>> {
+) -> Result<Converged, Faults> {
     Converged::new(blade, dof, range, count, rules).map_err(|cause| super::unsolvable(SolveError { dof, cause }))
 }
 
-pub(super) fn solve(matrices: &SystemMatrices, speed: f64, count: usize) -> Result<Vec<Mode>, Vec<Fault>> {
+pub(super) fn solve(matrices: &SystemMatrices, speed: f64, count: usize) -> Result<Vec<Mode>, Faults> {
     modes::solve(matrices, speed * speed, count).map_err(super::unsolvable)
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Settings, modes};
 use crate::blade::Blade;
-use crate::fault::Fault;
+use crate::fault::Faults;
 use crate::report::{ComparedPoint, MeasuredPoint, ModesReport};
 use alloc::vec::Vec;
 
@@ -11,7 +11,7 @@ use alloc::vec::Vec;
 ///
 /// # Errors
 /// Faults in the settings, or equations without an answer.
-pub fn compare(blade: &Blade, points: &[MeasuredPoint], settings: &Settings) -> Result<Vec<ComparedPoint>, Vec<Fault>> {
+pub fn compare(blade: &Blade, points: &[MeasuredPoint], settings: &Settings) -> Result<Vec<ComparedPoint>, Faults> {
     super::none(settings.check())?;
     let mut solved: Vec<ModesReport> = Vec::new();
     let mut compared = Vec::with_capacity(points.len());

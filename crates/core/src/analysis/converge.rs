@@ -1,11 +1,11 @@
 //! Frequency against the number of assumed functions.
 
 use super::basis::{Basis, Classical, converged, solve};
-use super::{Settings, available, label, none, note, unsolvable};
+use super::{Settings, available, label, none, note, unsolvable, warnings};
 use crate::blade::Blade;
 use crate::converged::{Converged, TOLERANCE};
 use crate::dof::Dof;
-use crate::fault::Fault;
+use crate::fault::Faults;
 use crate::functions::MOST_ORDER;
 use crate::modes::{Mode, SolveError};
 use crate::numerics::quadrature::GaussRules;
@@ -21,7 +21,7 @@ use alloc::vec::Vec;
 ///
 /// # Errors
 /// Faults in the settings, or equations without an answer.
-pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Vec<Fault>> {
+pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Faults> {
     none(settings.check_converge())?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
@@ -31,7 +31,7 @@ pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Ve
         speed_rad_s: speed,
         functions: (1..=settings.up_to).collect(),
         series: Vec::new(),
-        warnings: blade.warnings().to_vec(),
+        warnings: warnings(blade),
     };
     let square = speed * speed;
     for dof in settings.ordered_dofs() {
@@ -73,7 +73,7 @@ fn piecewise_steps(
     speed: f64,
     count: usize,
     rules: &GaussRules,
-) -> Result<Vec<(usize, Vec<Mode>)>, Vec<Fault>> {
+) -> Result<Vec<(usize, Vec<Mode>)>, Faults> {
     let mut steps = Vec::new();
     for order in 1..=MOST_ORDER {
         let cause = |cause| unsolvable(SolveError { dof, cause });

@@ -1,10 +1,10 @@
 //! Fan charts: frequencies over a range of rotor speeds.
 
 use super::basis::{Basis, solve};
-use super::{Settings, label, margin, none, note, unsolvable};
+use super::{Settings, label, margin, none, note, unsolvable, warnings};
 use crate::blade::Blade;
 use crate::fan::{Curves, meet_rays};
-use crate::fault::Fault;
+use crate::fault::Faults;
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::sqrt;
 use crate::report::{BasisReport, Branch, Coincidence, Crossing, FanChart, FunctionCounts, Nominal, Southwell};
@@ -16,7 +16,7 @@ use alloc::vec::Vec;
 ///
 /// # Errors
 /// Faults in the settings, or equations without an answer.
-pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Vec<Fault>> {
+pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
     none(settings.check())?;
     let rules = GaussRules::new();
     let nominal = blade.nominal_speed();
@@ -33,7 +33,7 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Vec<Fault>> {
         crossings: Vec::new(),
         coincident: Vec::new(),
         nominal: Nominal { speed_rad_s: nominal, margins: Vec::new() },
-        warnings: blade.warnings().to_vec(),
+        warnings: warnings(blade),
     };
     for dof in settings.ordered_dofs() {
         // From rest, where the Southwell coefficients are taken, past nominal speed.

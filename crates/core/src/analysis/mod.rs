@@ -14,7 +14,7 @@ mod summary;
 pub use compare::compare;
 pub use converge::converge;
 pub use fan::fan;
-pub use model::MODEL;
+pub use model::{MODEL, Model, warnings};
 pub use modes::{margins, modes};
 pub use settings::{Settings, ShapeScale, SpeedRange};
 pub use shapes::shapes;
@@ -22,7 +22,7 @@ pub use summary::summary;
 
 use crate::converged::TOLERANCE;
 use crate::dof::Dof;
-use crate::fault::{Fault, FaultCode, Warning};
+use crate::fault::{Fault, FaultCode, Faults, Warning};
 use crate::lagrange::SystemMatrices;
 use crate::modes::{Mode, SolveError, solve as solve_modes};
 use crate::numerics::eigen::EigenError;
@@ -30,11 +30,10 @@ use crate::numerics::scalar::round;
 use crate::report::Margin;
 use alloc::format;
 use alloc::string::{String, ToString};
-use alloc::vec;
 use alloc::vec::Vec;
 
-fn none(faults: Vec<Fault>) -> Result<(), Vec<Fault>> {
-    if faults.is_empty() { Ok(()) } else { Err(faults) }
+fn none(faults: Vec<Fault>) -> Result<(), Faults> {
+    Faults::from(faults).none()
 }
 
 /// As many modes as so few functions determine.
@@ -46,9 +45,9 @@ fn available(matrices: &SystemMatrices, speed_squared: f64, count: usize) -> Res
     }
 }
 
-fn unsolvable(error: SolveError) -> Vec<Fault> {
+fn unsolvable(error: SolveError) -> Faults {
     let rule = "the equations of the degree of freedom must have an answer";
-    vec![Fault::new(FaultCode::Unsolvable, error.dof.name(), None, rule, error.to_string())]
+    Fault::new(FaultCode::Unsolvable, error.dof.name(), None, rule, error.to_string()).into()
 }
 
 /// Says so where the piecewise functions did not reach their tolerance.

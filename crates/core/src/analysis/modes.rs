@@ -1,9 +1,9 @@
 //! Frequencies at one speed.
 
 use super::basis::{Basis, Classical, converged, solve};
-use super::{Settings, available, label, margin, none, note, unsolvable};
+use super::{Settings, available, label, margin, none, note, unsolvable, warnings};
 use crate::blade::Blade;
-use crate::fault::Fault;
+use crate::fault::Faults;
 use crate::functions::BasisFamily;
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::sqrt;
@@ -18,7 +18,7 @@ use alloc::vec::Vec;
 ///
 /// # Errors
 /// Faults in the settings, or equations without an answer.
-pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Vec<Fault>> {
+pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Faults> {
     none(settings.check())?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
@@ -30,7 +30,7 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Vec<Faul
         basis: BasisReport { family: settings.basis, functions: FunctionCounts::default() },
         classical_functions: settings.functions,
         modes: Vec::new(),
-        warnings: blade.warnings().to_vec(),
+        warnings: warnings(blade),
     };
     for dof in settings.ordered_dofs() {
         let for_bounds = settings.basis == BasisFamily::Classical;

@@ -1,10 +1,10 @@
 //! Mode shapes along the span.
 
 use super::basis::{Basis, solve};
-use super::{Settings, ShapeScale, label, none, note};
+use super::{Settings, ShapeScale, label, none, note, warnings};
 use crate::blade::Blade;
 use crate::dof::Dof;
-use crate::fault::Fault;
+use crate::fault::Faults;
 use crate::lagrange::{tabulate, torsion_norm};
 use crate::modes;
 use crate::numerics::quadrature::GaussRules;
@@ -16,7 +16,7 @@ use alloc::vec::Vec;
 ///
 /// # Errors
 /// Faults in the settings, or equations without an answer.
-pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Vec<Fault>> {
+pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Faults> {
     none(settings.check())?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
@@ -32,7 +32,7 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Vec<Fa
         r_m: Vec::new(),
         radius_m: radius,
         shapes: Vec::new(),
-        warnings: blade.warnings().to_vec(),
+        warnings: warnings(blade),
     };
     for dof in settings.ordered_dofs() {
         let basis = Basis::new(blade, dof, settings, (speed * speed, speed * speed), settings.modes, &rules)?;

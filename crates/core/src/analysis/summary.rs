@@ -1,6 +1,7 @@
 //! Mass, inertia and static moments.
 
-use crate::blade::{Blade, RootCondition, moments};
+use super::{Model, warnings};
+use crate::blade::{Blade, Property, RootCondition, moments};
 use crate::dof::Dof;
 use crate::order::ascending;
 use crate::report::{BladeSummary, DofSummary};
@@ -34,12 +35,8 @@ pub fn summary(blade: &Blade) -> BladeSummary {
             inertia_kg_m2: if torsion { polar } else { second },
         }
     });
-    let stations: Vec<f64> = Dof::ALL
-        .into_iter()
-        .map(|dof| blade.stiffness(dof))
-        .chain([blade.mass(), blade.polar_inertia(), blade.mass_offset()])
-        .flat_map(|property| property.stations().iter().copied())
-        .collect();
+    let used = Property::ALL.into_iter().filter(|property| Model::UNCOUPLED.uses(*property));
+    let stations: Vec<f64> = used.flat_map(|property| blade.property(property).stations().iter().copied()).collect();
     let mut stations = ascending(&stations);
     stations.dedup();
     BladeSummary {
@@ -50,6 +47,6 @@ pub fn summary(blade: &Blade) -> BladeSummary {
         blades: blade.blades(),
         stations: stations.len(),
         dofs: dofs.collect(),
-        warnings: blade.warnings().to_vec(),
+        warnings: warnings(blade),
     }
 }

@@ -4,24 +4,31 @@ mod distribution;
 
 use super::definition::{BladeDefinition, RootDefinition, RootKind, RotorDefinition, Source};
 use super::model::{Blade, Root, RootCondition};
+use super::property::Property;
+use super::range::Range;
 use crate::dof::Dof;
-use crate::fault::{Fault, FaultCode, Warning};
+use crate::fault::{Fault, FaultCode, Faults, Warning};
+use crate::numerics::PiecewiseLinear;
 use crate::units::Units;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
-use distribution::Distribution;
 
 /// Two radii nearer than this times R are one place, so far as ends and gaps go.
 const NEAR: f64 = 1e-9;
+
+/// Beyond these, squares and products of a blade's numbers would not stay numbers.
+const RADIUS: Range = Range::positive(1e-6, 1e6, "m");
+const NOMINAL_SPEED: Range = Range::positive(1e-9, 1e9, "rad/s");
+const SPRING: Range = Range::zero_or(1e-30, 1e30, "N·m/rad");
 
 /// Checks a definition and converts it to SI units.
 ///
 /// # Errors
 /// Every rule of the blade file that the definition breaks, in the order of the file's keys, each
 /// with its path and the value in the definition's own units.
-pub fn check(definition: &BladeDefinition) -> Result<Blade, Vec<Fault>> {
+pub fn check(definition: &BladeDefinition) -> Result<Blade, Faults> {
     let mut checker = Checker { units: definition.units, faults: Vec::new(), warnings: Vec::new() };
     let name = definition.name.clone();
     if name.is_none() {
@@ -36,9 +43,10 @@ pub fn check(definition: &BladeDefinition) -> Result<Blade, Vec<Fault>> {
         root(Dof::Lag, definition.lag.as_ref()),
         root(Dof::Torsion, definition.torsion.as_ref()),
     ];
-    let distribution = checker.distribution(definition.distribution.as_ref(), radius, &roots);
+    let properties = checker.distribution(definition.distribution.as_ref(), radius, &roots);
     let Checker { faults, warnings, .. } = checker;
-    let blade = assemble(name, &rotor, roots, distribution, warnings);
+    let faults = Faults::from(faults);
+    let blade = assemble(name, &rotor, roots, properties, warnings);
     // Without a fault nothing is missing, so the blade is there.
     if faults.is_empty() { blade.ok_or(faults) } else { Err(faults) }
 }
@@ -47,20 +55,17 @@ fn assemble(
     name: Option<String>,
     rotor: &Rotor,
     [flap, lag, torsion]: [CheckedRoot; 3],
-    distribution: Distribution,
+    properties: [Option<PiecewiseLinear>; Property::COUNT],
     warnings: Vec<Warning>,
 ) -> Option<Blade> {
-    let [flap_stiffness, lag_stiffness, torsion_stiffness] = distribution.stiffness;
+    let properties: Vec<PiecewiseLinear> = properties.into_iter().collect::<Option<_>>()?;
     Some(Blade {
         name: name?,
         radius: rotor.radius?.si,
         nominal_speed: rotor.nominal_speed?,
         blades: rotor.blades,
         roots: [flap.root()?, lag.root()?, torsion.root()?],
-        mass: distribution.mass?,
-        stiffness: [flap_stiffness?, lag_stiffness?, torsion_stiffness?],
-        polar_inertia: distribution.polar_inertia?,
-        mass_offset: distribution.mass_offset?,
+        properties: properties.try_into().ok()?,
         warnings,
     })
 }
@@ -120,32 +125,6 @@ impl CheckedRoot {
     }
 }
 
-/// Which numbers a quantity may be.
-#[derive(Clone, Copy)]
-enum Range {
-    Positive,
-    NotNegative,
-    Finite,
-}
-
-impl Range {
-    fn holds(self, value: f64) -> bool {
-        match self {
-            Self::Positive => value > 0.0,
-            Self::NotNegative => value >= 0.0,
-            Self::Finite => true,
-        }
-    }
-
-    const fn rule(self) -> &'static str {
-        match self {
-            Self::Positive => "must be greater than 0",
-            Self::NotNegative => "must be at least 0",
-            Self::Finite => "must be finite",
-        }
-    }
-}
-
 struct Checker {
     units: Units,
     faults: Vec<Fault>,
@@ -182,15 +161,15 @@ impl Checker {
     ) -> Option<f64> {
         let si = value * factor;
         let (code, rule) = if !value.is_finite() {
-            (FaultCode::NotFinite, "must be finite")
+            (FaultCode::NotFinite, "must be finite".into())
         } else if !si.is_finite() {
-            (FaultCode::NotFinite, "must be finite in SI units")
-        } else if !range.holds(si) {
-            (FaultCode::OutOfRange, range.rule())
+            (FaultCode::NotFinite, "must be finite in SI units".into())
+        } else if let Some(rule) = range.broken_by(si) {
+            (FaultCode::OutOfRange, rule)
         } else {
             return Some(si);
         };
-        self.refuse(code, &path.to_string(), Some(shortest(value)), &subject.to_string(), rule);
+        self.refuse(code, &path.to_string(), Some(shortest(value)), &subject.to_string(), &rule);
         None
     }
 
@@ -209,22 +188,23 @@ impl Checker {
             return Rotor { radius: None, nominal_speed: None, blades: None };
         };
         let (length, speed) = (self.units.length.si(), self.units.speed.si());
-        let mut required = |path: &str, subject: &str, given: Option<f64>, factor: f64| {
+        let mut required = |path: &str, subject: &str, given: Option<f64>, factor: f64, range: Range| {
             if given.is_none() {
                 self.missing(path, subject);
             }
-            self.number(&path, &subject, given?, factor, Range::Positive)
+            self.number(&path, &subject, given?, factor, range)
         };
-        let radius = required("rotor.radius", "tip radius", rotor.radius, length);
+        let radius = required("rotor.radius", "tip radius", rotor.radius, length, RADIUS);
         let radius = rotor.radius.zip(radius).map(|(given, si)| Length { given, si });
-        let nominal_speed = required("rotor.nominal_speed", "nominal speed", rotor.nominal_speed, speed);
+        let (path, subject) = ("rotor.nominal_speed", "nominal speed");
+        let nominal_speed = required(path, subject, rotor.nominal_speed, speed, NOMINAL_SPEED);
         let blades = rotor.blades.and_then(|blades| self.blades(blades));
         Rotor { radius, nominal_speed, blades }
     }
 
     fn blades(&mut self, blades: f64) -> Option<u32> {
         let (path, subject) = ("rotor.blades", "number of blades");
-        let blades = self.number(&path, &subject, blades, 1.0, Range::Finite)?;
+        let blades = self.number(&path, &subject, blades, 1.0, Range::FINITE)?;
         #[allow(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
@@ -260,7 +240,7 @@ impl Checker {
                 None
             }
             (None, Some(ratio)) => {
-                let ratio = self.number(&ratio_path, &format!("{subject} ratio"), ratio, 1.0, Range::NotNegative)?;
+                let ratio = self.number(&ratio_path, &format!("{subject} ratio"), ratio, 1.0, Range::NOT_NEGATIVE)?;
                 if ratio >= 1.0 {
                     let subject = format!("{subject} ratio");
                     self.refuse(
@@ -276,7 +256,7 @@ impl Checker {
                 Some(Length { given: ratio * radius.given, si: ratio * radius.si })
             }
             (Some(offset), None) => {
-                let si = self.number(&offset_path, &subject, offset, self.units.length.si(), Range::NotNegative)?;
+                let si = self.number(&offset_path, &subject, offset, self.units.length.si(), Range::NOT_NEGATIVE)?;
                 if let Some(radius) = radius
                     && si >= radius.si
                 {
@@ -295,7 +275,7 @@ impl Checker {
         let subject = format!("{dof} spring");
         let spring = given.spring.map(|spring| {
             let factor = self.units.spring();
-            self.number(&path, &subject, spring, factor, Range::NotNegative)
+            self.number(&path, &subject, spring, factor, SPRING)
         });
         let Some(kind) = given.root else {
             self.missing(&format!("{dof}.root"), &format!("{dof} root"));

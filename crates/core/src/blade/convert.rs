@@ -1,6 +1,6 @@
 //! The same blade with its numbers in other units.
 
-use super::{BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RotorDefinition};
+use super::{BladeDefinition, DistributionDefinition, Property, PropertyDefinition, RootDefinition, RotorDefinition};
 use crate::units::Units;
 use alloc::format;
 use alloc::vec::Vec;
@@ -25,25 +25,25 @@ pub fn convert(definition: &BladeDefinition, units: Units) -> BladeDefinition {
 }
 
 /// How many SI units one unit of a quantity is.
-type Quantity = fn(&Units) -> f64;
+pub(super) type Quantity = fn(&Units) -> f64;
 
-const LENGTH: Quantity = |units| units.length.si();
-const SPEED: Quantity = |units| units.speed.si();
-const ANGLE: Quantity = |units| units.angle.si();
+pub(super) const LENGTH: Quantity = |units| units.length.si();
+pub(super) const SPEED: Quantity = |units| units.speed.si();
 
+/// From one set of units to another.
 #[derive(Clone, Copy)]
-struct Factors {
-    from: Units,
-    to: Units,
+pub(super) struct Factors {
+    pub(super) from: Units,
+    pub(super) to: Units,
 }
 
 impl Factors {
-    fn number(self, value: f64, quantity: Quantity) -> f64 {
+    pub(super) fn number(self, value: f64, quantity: impl Fn(&Units) -> f64) -> f64 {
         let (from, to) = (quantity(&self.from), quantity(&self.to));
         if from.to_bits() == to.to_bits() { value } else { rounded(value * from / to) }
     }
 
-    fn list(self, values: &[f64], quantity: Quantity) -> Vec<f64> {
+    fn list(self, values: &[f64], quantity: impl Fn(&Units) -> f64 + Copy) -> Vec<f64> {
         values.iter().map(|&value| self.number(value, quantity)).collect()
     }
 
@@ -64,7 +64,7 @@ impl Factors {
         }
     }
 
-    fn property(self, property: &PropertyDefinition, quantity: Quantity) -> PropertyDefinition {
+    fn property(self, property: &PropertyDefinition, quantity: impl Fn(&Units) -> f64 + Copy) -> PropertyDefinition {
         match property {
             PropertyDefinition::Uniform(value) => PropertyDefinition::Uniform(self.number(*value, quantity)),
             PropertyDefinition::OnStations(values) => PropertyDefinition::OnStations(self.list(values, quantity)),
@@ -75,18 +75,12 @@ impl Factors {
     }
 
     fn distribution(self, given: &DistributionDefinition) -> DistributionDefinition {
-        let property = |property: &Option<PropertyDefinition>, quantity: Quantity| {
-            property.as_ref().map(|property| self.property(property, quantity))
-        };
         DistributionDefinition {
             r: given.r.as_ref().map(|radii| self.list(radii, LENGTH)),
-            mass: property(&given.mass, Units::mass_per_length),
-            flap_stiffness: property(&given.flap_stiffness, Units::stiffness),
-            lag_stiffness: property(&given.lag_stiffness, Units::stiffness),
-            torsion_stiffness: property(&given.torsion_stiffness, Units::stiffness),
-            polar_inertia: property(&given.polar_inertia, Units::polar_inertia),
-            mass_offset: property(&given.mass_offset, LENGTH),
-            twist: property(&given.twist, ANGLE),
+            properties: Property::ALL.map(|property| {
+                let given = given[property].as_ref()?;
+                Some(self.property(given, |units| property.unit(units)))
+            }),
         }
     }
 }
@@ -112,11 +106,9 @@ mod tests {
             ..Units::default()
         };
         let rotor = RotorDefinition { radius: Some(55.0), nominal_speed: Some(660.0), blades: Some(4.0) };
-        let distribution = DistributionDefinition {
-            r: Some(vec![0.0, 3.0, 3.0, 55.0, f64::NAN]),
-            mass: Some(PropertyDefinition::Uniform(1.0)),
-            ..Default::default()
-        };
+        let mut distribution =
+            DistributionDefinition { r: Some(vec![0.0, 3.0, 3.0, 55.0, f64::NAN]), ..Default::default() };
+        distribution[Property::Mass] = Some(PropertyDefinition::Uniform(1.0));
         let given = BladeDefinition {
             units: inches,
             rotor: Some(rotor),
@@ -131,12 +123,18 @@ mod tests {
         let radii = distribution.r.as_ref().unwrap();
         assert_eq!(radii[..4], [0.0, 0.0762, 0.0762, 1.397]);
         assert!(radii[4].is_nan(), "what is no number stays none");
-        assert_eq!(distribution.mass, Some(PropertyDefinition::Uniform(17.857_967_322_834_6)));
-        assert_eq!((metres.flap, distribution.twist.as_ref()), (None, None), "what is missing stays missing");
+        assert_eq!(distribution[Property::Mass], Some(PropertyDefinition::Uniform(17.857_967_322_834_6)));
+        assert_eq!(
+            (metres.flap, distribution[Property::Twist].as_ref()),
+            (None, None),
+            "what is missing stays missing"
+        );
 
         let back = convert(&metres, inches);
         assert_eq!(back.rotor, given.rotor);
-        let Some(PropertyDefinition::Uniform(mass)) = back.distribution.unwrap().mass else { panic!("one number") };
+        let Some(PropertyDefinition::Uniform(mass)) = back.distribution.unwrap()[Property::Mass] else {
+            panic!("one number")
+        };
         assert!((mass - 1.0).abs() < 1e-14, "17.8579673228346 kg/m is 1 lb/in to 15 digits: {mass}");
     }
 

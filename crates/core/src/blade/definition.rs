@@ -1,9 +1,11 @@
 //! A blade as its author gives it: plain data, in the author's units, not yet checked.
 
+use super::property::Property;
 use crate::dof::Dof;
 use crate::units::Units;
 use alloc::string::String;
 use alloc::vec::Vec;
+use core::ops::{Index, IndexMut};
 
 /// A blade as given. Any value is legal here; the check turns it into a [`Blade`](super::Blade)
 /// or lists every fault. What the author left out is `None`.
@@ -27,6 +29,26 @@ pub struct BladeDefinition {
     pub torsion: Option<RootDefinition>,
     /// Properties along the span.
     pub distribution: Option<DistributionDefinition>,
+}
+
+impl BladeDefinition {
+    /// The root of a degree of freedom.
+    pub const fn root(&self, dof: Dof) -> Option<&RootDefinition> {
+        match dof {
+            Dof::Flap => self.flap.as_ref(),
+            Dof::Lag => self.lag.as_ref(),
+            Dof::Torsion => self.torsion.as_ref(),
+        }
+    }
+
+    /// The same, to be changed.
+    pub const fn root_mut(&mut self, dof: Dof) -> &mut Option<RootDefinition> {
+        match dof {
+            Dof::Flap => &mut self.flap,
+            Dof::Lag => &mut self.lag,
+            Dof::Torsion => &mut self.torsion,
+        }
+    }
 }
 
 /// Where a blade's numbers come from.
@@ -113,25 +135,27 @@ pub struct RootDefinition {
     pub spring: Option<f64>,
 }
 
-/// Properties along the span.
+/// Properties along the span, each found by its name: `distribution[Property::Mass]`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DistributionDefinition {
     /// Radii of the stations that lists without radii of their own stand on [length].
     pub r: Option<Vec<f64>>,
-    /// Mass per length [mass/length].
-    pub mass: Option<PropertyDefinition>,
-    /// Flapwise bending stiffness [force·length²].
-    pub flap_stiffness: Option<PropertyDefinition>,
-    /// Chordwise bending stiffness [force·length²].
-    pub lag_stiffness: Option<PropertyDefinition>,
-    /// Torsional stiffness [force·length²].
-    pub torsion_stiffness: Option<PropertyDefinition>,
-    /// Polar mass moment of inertia per length [mass·length].
-    pub polar_inertia: Option<PropertyDefinition>,
-    /// Centre of mass ahead of the elastic axis, + toward the leading edge [length].
-    pub mass_offset: Option<PropertyDefinition>,
-    /// Built-in twist, + nose up [angle].
-    pub twist: Option<PropertyDefinition>,
+    /// The properties, in the order of [`Property::ALL`].
+    pub properties: [Option<PropertyDefinition>; Property::COUNT],
+}
+
+impl Index<Property> for DistributionDefinition {
+    type Output = Option<PropertyDefinition>;
+
+    fn index(&self, property: Property) -> &Self::Output {
+        &self.properties[property.index()]
+    }
+}
+
+impl IndexMut<Property> for DistributionDefinition {
+    fn index_mut(&mut self, property: Property) -> &mut Self::Output {
+        &mut self.properties[property.index()]
+    }
 }
 
 /// One property along the span. Linear between stations; a radius given twice is a step.

@@ -1,11 +1,17 @@
-//! The blade: as given (definition), in other units (convert), and as checked (model).
+//! The blade: as given (definition), in other units (convert), changed (change), and as checked (model).
 
+mod change;
 mod check;
 mod convert;
 mod definition;
+mod in_code;
 mod model;
+mod property;
+mod range;
+mod restation;
 mod tension;
 
+pub use change::{Amount, Change, Changed, Stretch, What, change};
 pub use check::check;
 #[cfg(feature = "formats")]
 pub(crate) use check::{Shortest, choice_fault, shortest};
@@ -14,4 +20,5 @@ pub use definition::{
     BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Source,
 };
 pub use model::{Blade, Root, RootCondition};
+pub use property::Property;
 pub use tension::{Tension, moments, tension_inside};

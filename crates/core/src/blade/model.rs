@@ -1,5 +1,6 @@
 //! A checked blade in SI units: what the solver works on.
 
+use super::property::Property;
 use crate::dof::Dof;
 use crate::fault::Warning;
 use crate::numerics::PiecewiseLinear;
@@ -35,10 +36,7 @@ pub struct Blade {
     pub(super) nominal_speed: f64,
     pub(super) blades: Option<u32>,
     pub(super) roots: [Root; 3],
-    pub(super) mass: PiecewiseLinear,
-    pub(super) stiffness: [PiecewiseLinear; 3],
-    pub(super) polar_inertia: PiecewiseLinear,
-    pub(super) mass_offset: PiecewiseLinear,
+    pub(super) properties: [PiecewiseLinear; Property::COUNT],
     pub(super) warnings: Vec<Warning>,
 }
 
@@ -73,27 +71,37 @@ impl Blade {
         self.roots.iter().fold(f64::INFINITY, |least, root| least.min(root.offset))
     }
 
+    /// A property along the span, in SI units.
+    pub fn property(&self, property: Property) -> &PiecewiseLinear {
+        &self.properties[property.index()]
+    }
+
     /// Mass per length m(r) [kg/m].
     pub fn mass(&self) -> &PiecewiseLinear {
-        &self.mass
+        self.property(Property::Mass)
     }
 
     /// `EI_flap`, `EI_lag` or GJ along the span [N·m²].
     pub fn stiffness(&self, dof: Dof) -> &PiecewiseLinear {
-        &self.stiffness[dof.index()]
+        self.property(Property::stiffness(dof))
     }
 
     /// Polar mass moment of inertia per length ρI_p(r) [kg·m].
     pub fn polar_inertia(&self) -> &PiecewiseLinear {
-        &self.polar_inertia
+        self.property(Property::PolarInertia)
     }
 
     /// Centre of mass ahead of the elastic axis Y(r) [m]; + toward the leading edge.
     pub fn mass_offset(&self) -> &PiecewiseLinear {
-        &self.mass_offset
+        self.property(Property::MassOffset)
     }
 
-    /// What in the blade's input does not act as its author may expect.
+    /// Built-in twist along the span [rad]; + nose up.
+    pub fn twist(&self) -> &PiecewiseLinear {
+        self.property(Property::Twist)
+    }
+
+    /// What in the blade's input does not act as its author may expect, whatever is solved.
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings
     }

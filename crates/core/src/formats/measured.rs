@@ -4,7 +4,7 @@ use super::BYTE_ORDER_MARK;
 use super::place::{Placed, in_order};
 use crate::blade::shortest;
 use crate::dof::Dof;
-use crate::fault::{Fault, FaultCode};
+use crate::fault::{Fault, FaultCode, Faults};
 use crate::report::MeasuredPoint;
 use crate::units::SpeedUnit;
 use alloc::format;
@@ -29,7 +29,7 @@ struct Columns {
 ///
 /// # Errors
 /// Every fault, with line and column; paths are `header.speed`, `points[0].label` and the like.
-pub fn read(text: &str) -> Result<Vec<MeasuredPoint>, Vec<Fault>> {
+pub fn read(text: &str) -> Result<Vec<MeasuredPoint>, Faults> {
     let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
     let mut points = Vec::new();
     let mut faults = Vec::new();
@@ -61,7 +61,7 @@ pub fn read(text: &str) -> Result<Vec<MeasuredPoint>, Vec<Fault>> {
         let fault = Fault::new(FaultCode::Missing, "header", None, message, message);
         faults.push(Placed { at: Some(0), fault });
     }
-    if faults.is_empty() { Ok(points) } else { Err(in_order(text, &faults)) }
+    if faults.is_empty() { Ok(points) } else { Err(in_order(text, &faults).into()) }
 }
 
 fn start(record: &StringRecord) -> usize {

@@ -6,7 +6,8 @@ mod own;
 mod place;
 
 pub use own::{
-    BladeFile, Entry, Format, Node, SCHEMA, Tree, read, read_definition, read_tree, read_units, to_json, to_toml,
+    BladeFile, Entry, Format, Node, SCHEMA, Tree, read, read_changes, read_definition, read_tree, read_units, to_json,
+    to_toml,
 };
 
 /// Editors may put it first; it is no part of a text.

@@ -1,6 +1,6 @@
 //! Where faults stand in the text, and which of them only follow from others.
 
-use crate::fault::{Fault, FaultCode};
+use crate::fault::{Fault, FaultCode, Faults};
 use crate::order::order;
 use alloc::collections::BTreeSet;
 use alloc::format;
@@ -45,7 +45,7 @@ pub(super) fn in_order(text: &str, faults: &[Placed]) -> Vec<Fault> {
 
 /// Leaves out what the check found only because the reader had already refused a value: the same
 /// path, a path below it, or something missing or unreadable around it.
-pub(super) fn drop_consequences(found: Vec<Fault>, refused: &[Placed]) -> Vec<Fault> {
+pub(super) fn drop_consequences(found: Faults, refused: &[Placed]) -> Vec<Fault> {
     let paths = refused.iter().map(|placed| placed.fault.path.as_str());
     let mut refused: BTreeSet<&str> = BTreeSet::new();
     refused.extend(paths); // collecting would sort: more code for a page to load

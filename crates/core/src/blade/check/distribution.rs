@@ -2,6 +2,7 @@
 
 use super::{CheckedRoot, Checker, Length, NEAR, Range, Shortest, shortest};
 use crate::blade::definition::{DistributionDefinition, PropertyDefinition};
+use crate::blade::property::Property;
 use crate::dof::Dof;
 use crate::fault::FaultCode;
 use crate::numerics::PiecewiseLinear;
@@ -9,23 +10,9 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-/// Properties in SI units; none where one is faulty.
-#[derive(Default)]
-pub(super) struct Distribution {
-    pub(super) mass: Option<PiecewiseLinear>,
-    pub(super) stiffness: [Option<PiecewiseLinear>; 3],
-    pub(super) polar_inertia: Option<PiecewiseLinear>,
-    pub(super) mass_offset: Option<PiecewiseLinear>,
-}
-
-/// One property of the file: its key, its name in messages, its legal values, its unit in SI.
-#[derive(Clone, Copy)]
-struct Quantity {
-    key: &'static str,
-    subject: &'static str,
-    range: Range,
-    factor: f64,
-}
+/// Most values of one list. Work grows with them, a file with more is most likely no blade, and one
+/// fault says so where as many as there are values would not.
+const MOST_STATIONS: usize = 10_000;
 
 /// Radii as given, and in metres where nothing is wrong with them.
 struct Stations<'a> {
@@ -35,12 +22,12 @@ struct Stations<'a> {
 }
 
 /// A sound property: the function, and the radii it reaches (none: everywhere).
-struct Property {
+struct Known {
     function: PiecewiseLinear,
     reach: Option<(Length, Length)>,
 }
 
-impl Property {
+impl Known {
     fn acts(&self) -> bool {
         self.function.values().iter().any(|&value| value != 0.0)
     }
@@ -57,67 +44,35 @@ impl Property {
 }
 
 impl Checker {
-    /// Checks `[distribution]` against the rotor and the roots.
+    /// Checks `[distribution]` against the rotor and the roots: the properties in SI units, none
+    /// where one is faulty.
     pub(super) fn distribution(
         &mut self,
         given: Option<&DistributionDefinition>,
         radius: Option<Length>,
         roots: &[CheckedRoot; 3],
-    ) -> Distribution {
+    ) -> [Option<PiecewiseLinear>; Property::COUNT] {
         let Some(given) = given else {
             self.missing("distribution", "distribution of properties");
-            return Distribution::default();
+            return Default::default();
         };
         let stations = given.r.as_ref().map(|r| self.stations("distribution.r".into(), r, radius));
-        let stations = stations.as_ref();
-        let units = self.units;
-        let stiffness = |key, subject| Quantity { key, subject, range: Range::Positive, factor: units.stiffness() };
-        let flap = stiffness("flap_stiffness", "flap stiffness");
-        let lag = stiffness("lag_stiffness", "lag stiffness");
-        let torsion = stiffness("torsion_stiffness", "torsion stiffness");
-        let quantity = |key, subject, range, factor| Quantity { key, subject, range, factor };
-        let mass = quantity("mass", "mass per length", Range::NotNegative, units.mass_per_length());
-        let inertia = quantity("polar_inertia", "polar inertia", Range::NotNegative, units.polar_inertia());
-        let offset = quantity("mass_offset", "mass offset", Range::Finite, units.length.si());
-        let twist = quantity("twist", "twist", Range::Finite, units.angle.si());
-
-        let properties = [
-            (mass, self.required(mass, given.mass.as_ref(), stations, radius)),
-            (flap, self.required(flap, given.flap_stiffness.as_ref(), stations, radius)),
-            (lag, self.required(lag, given.lag_stiffness.as_ref(), stations, radius)),
-            (torsion, self.required(torsion, given.torsion_stiffness.as_ref(), stations, radius)),
-            (inertia, self.required(inertia, given.polar_inertia.as_ref(), stations, radius)),
-            (offset, self.optional(offset, given.mass_offset.as_ref(), stations, radius)),
-        ];
-        let twisted = self.optional(twist, given.twist.as_ref(), stations, radius);
-
-        let moved = properties[5].1.as_ref().is_some_and(Property::acts);
-        let root = |dof: Dof| roots[dof.index()].offset;
-        let least = |a: Option<Length>, b: Option<Length>| Some(if a?.si < b?.si { a? } else { b? });
-        let bending = least(root(Dof::Flap), root(Dof::Lag));
-        let inmost = [
-            if moved { least(bending, root(Dof::Torsion)) } else { bending },
-            root(Dof::Flap),
-            root(Dof::Lag),
-            root(Dof::Torsion),
-            root(Dof::Torsion),
-            // An offset of 0 everywhere needs to be known nowhere.
-            if moved { root(Dof::Torsion) } else { None },
-        ];
+        let known =
+            Property::ALL.map(|property| self.property(property, given[property].as_ref(), stations.as_ref(), radius));
         if let Some(radius) = radius {
-            for ((quantity, property), from) in properties.iter().zip(inmost) {
-                if let (Some(property), Some(from)) = (property, from) {
-                    self.cover(*quantity, property, from, radius);
+            for property in Property::ALL {
+                if let (Some(found), Some(from)) = (&known[property.index()], inmost(property, &known, roots)) {
+                    self.cover(property, found, from, radius);
                 }
             }
-            let [(_, mass), _, _, _, (_, inertia), _] = &properties;
-            self.positive("mass", "mass per length", mass.as_ref(), roots, &[Dof::Flap, Dof::Lag], radius);
-            self.positive("polar_inertia", "polar inertia", inertia.as_ref(), roots, &[Dof::Torsion], radius);
+            for property in Property::ALL {
+                if let Some(found) = &known[property.index()] {
+                    self.acts_outboard(property, found, roots, radius);
+                }
+            }
         }
-        self.distribution_warnings(given, moved, twisted.as_ref().is_some_and(Property::acts), radius);
-
-        let [mass, flap, lag, torsion, inertia, offset] = properties.map(|(_, p)| p.map(|p| p.function));
-        Distribution { mass, stiffness: [flap, lag, torsion], polar_inertia: inertia, mass_offset: offset }
+        self.distribution_warnings(given, radius);
+        known.map(|found| found.map(|found| found.function))
     }
 
     /// Checks radii: at least 0, never falling, a radius at most twice, none too near another.
@@ -128,8 +83,11 @@ impl Checker {
         if given.is_empty() {
             self.refuse(FaultCode::Length, &path, None, "list of radii", "must have at least one radius");
         }
+        if self.too_long(&path, given.len(), "list of radii") {
+            return Stations { path, given, si: None };
+        }
         for (i, &r) in given.iter().enumerate() {
-            if self.number(&format_args!("{path}[{i}]"), &"radius", r, unit.si(), Range::NotNegative).is_none() {
+            if self.number(&format_args!("{path}[{i}]"), &"radius", r, unit.si(), Range::NOT_NEGATIVE).is_none() {
                 continue;
             }
             let before = i.checked_sub(1).and_then(|i| given.get(i));
@@ -151,86 +109,73 @@ impl Checker {
         Stations { path, given, si: sound.then(|| given.iter().map(|r| r * unit.si()).collect()) }
     }
 
-    fn required(
-        &mut self,
-        quantity: Quantity,
-        given: Option<&PropertyDefinition>,
-        stations: Option<&Stations>,
-        radius: Option<Length>,
-    ) -> Option<Property> {
-        if given.is_none() {
-            self.missing(&format!("distribution.{}", quantity.key), quantity.subject);
+    /// Whether a list has more values than are taken, with the fault.
+    fn too_long(&mut self, path: &str, count: usize, subject: &str) -> bool {
+        if count > MOST_STATIONS {
+            let rule = format!("must have at most {MOST_STATIONS} values");
+            self.refuse_as("has", FaultCode::Length, path, Some(format!("{count}")), subject, &rule);
         }
-        self.property(quantity, given?, stations, radius)
+        count > MOST_STATIONS
     }
 
-    /// A property that is 0 where it is not given.
-    fn optional(
-        &mut self,
-        quantity: Quantity,
-        given: Option<&PropertyDefinition>,
-        stations: Option<&Stations>,
-        radius: Option<Length>,
-    ) -> Option<Property> {
-        match given {
-            Some(given) => self.property(quantity, given, stations, radius),
-            None => Some(Property { function: PiecewiseLinear::uniform(0.0), reach: None }),
-        }
-    }
-
+    /// A property as the solver takes it; 0 where it may be left out and is.
     fn property(
         &mut self,
-        quantity: Quantity,
-        given: &PropertyDefinition,
+        property: Property,
+        given: Option<&PropertyDefinition>,
         stations: Option<&Stations>,
         radius: Option<Length>,
-    ) -> Option<Property> {
-        let path = format!("distribution.{}", quantity.key);
+    ) -> Option<Known> {
+        let row = property.row();
+        let path = format!("distribution.{}", row.key);
+        let Some(given) = given else {
+            if row.required {
+                self.missing(&path, row.words);
+                return None;
+            }
+            return Some(Known { function: PiecewiseLinear::uniform(0.0), reach: None });
+        };
         match given {
             PropertyDefinition::Uniform(value) => {
-                let value = self.number(&path, &quantity.subject, *value, quantity.factor, quantity.range)?;
-                Some(Property { function: PiecewiseLinear::uniform(value), reach: None })
+                let value = self.number(&path, &row.words, *value, property.unit(&self.units), row.range)?;
+                Some(Known { function: PiecewiseLinear::uniform(value), reach: None })
             }
             PropertyDefinition::OnStations(values) => {
                 if stations.is_none() && !self.faults.iter().any(|fault| fault.path == "distribution.r") {
                     let rule = "must be given where a property is a list without radii of its own";
                     self.refuse(FaultCode::Missing, "distribution.r", None, "list of radii", rule);
                 }
-                self.values(quantity, &path, values, stations)
+                self.values(property, &path, values, stations)
             }
             PropertyDefinition::OwnRadii { r, values } => {
                 let stations = self.stations(format!("{path}.r"), r, radius);
-                self.values(quantity, &format!("{path}.values"), values, Some(&stations))
+                self.values(property, &format!("{path}.values"), values, Some(&stations))
             }
         }
     }
 
-    fn values(
-        &mut self,
-        quantity: Quantity,
-        path: &str,
-        values: &[f64],
-        stations: Option<&Stations>,
-    ) -> Option<Property> {
-        let unit = self.units.length;
+    fn values(&mut self, property: Property, path: &str, values: &[f64], stations: Option<&Stations>) -> Option<Known> {
+        let (row, unit, factor) = (property.row(), self.units.length, property.unit(&self.units));
+        if self.too_long(path, values.len(), row.words) {
+            return None;
+        }
         let mut si = Vec::with_capacity(values.len());
         for (i, &value) in values.iter().enumerate() {
             let r = stations.and_then(|stations| stations.given.get(i));
             let place = format_args!("{path}[{i}]");
-            let Quantity { subject, range, factor, .. } = quantity;
             si.extend(match r {
                 Some(&r) => {
-                    let at = format_args!("{subject} at r = {} {unit}", Shortest(r));
-                    self.number(&place, &at, value, factor, range)
+                    let at = format_args!("{} at r = {} {unit}", row.words, Shortest(r));
+                    self.number(&place, &at, value, factor, row.range)
                 }
-                None => self.number(&place, &subject, value, factor, range),
+                None => self.number(&place, &row.words, value, factor, row.range),
             });
         }
         let stations = stations?;
         if values.len() != stations.given.len() {
             let rule = format!("must have {} values, as many as {}", stations.given.len(), stations.path);
             let count = format!("{}", values.len());
-            self.refuse_as("has", FaultCode::Length, path, Some(count), quantity.subject, &rule);
+            self.refuse_as("has", FaultCode::Length, path, Some(count), row.words, &rule);
             return None;
         }
         if si.len() != values.len() {
@@ -245,12 +190,12 @@ impl Checker {
             let rule = "must stay apart in SI units";
             self.refuse(FaultCode::Radii, &stations.path, None, "list of radii", rule);
         }
-        Some(Property { function: function?, reach: Some(reach) })
+        Some(Known { function: function?, reach: Some(reach) })
     }
 
     /// A property must reach from a root to the tip.
-    fn cover(&mut self, quantity: Quantity, property: &Property, from: Length, radius: Length) {
-        let Some((first, last)) = property.reach else { return };
+    fn cover(&mut self, property: Property, known: &Known, from: Length, radius: Length) {
+        let Some((first, last)) = known.reach else { return };
         let near = NEAR * radius.si;
         if first.si <= from.si + near && last.si >= radius.si - near {
             return;
@@ -258,72 +203,59 @@ impl Checker {
         let unit = self.units.length;
         let rule = format!("must be given from r = {} to {} {unit}", shortest(from.given), shortest(radius.given));
         let reach = format!("{} to {} {unit}", shortest(first.given), shortest(last.given));
-        let path = format!("distribution.{}", quantity.key);
-        self.refuse_as("is given from", FaultCode::Uncovered, &path, Some(reach), quantity.subject, &rule);
+        let path = format!("distribution.{}", property.key());
+        self.refuse_as("is given from", FaultCode::Uncovered, &path, Some(reach), property.words(), &rule);
     }
 
     /// Mass or inertia must be greater than 0 somewhere outboard of each root that moves it.
-    fn positive(
-        &mut self,
-        key: &str,
-        subject: &str,
-        property: Option<&Property>,
-        roots: &[CheckedRoot; 3],
-        dofs: &[Dof],
-        radius: Length,
-    ) {
-        let Some(property) = property else { return };
-        for &dof in dofs {
+    fn acts_outboard(&mut self, property: Property, known: &Known, roots: &[CheckedRoot; 3], radius: Length) {
+        let row = property.row();
+        for &dof in row.acts_outboard_of {
             let Some(offset) = roots[dof.index()].offset else { continue };
-            if !property.positive_between(offset.si, radius.si) {
+            if !known.positive_between(offset.si, radius.si) {
                 let unit = self.units.length;
                 let rule = format!(
                     "must be greater than 0 somewhere outboard of the {dof} root at r = {} {unit}",
                     shortest(offset.given)
                 );
-                self.refuse(FaultCode::OutOfRange, &format!("distribution.{key}"), None, subject, &rule);
+                self.refuse(FaultCode::OutOfRange, &format!("distribution.{}", row.key), None, row.words, &rule);
                 return;
             }
         }
     }
 
-    fn distribution_warnings(
-        &mut self,
-        given: &DistributionDefinition,
-        moved: bool,
-        twisted: bool,
-        radius: Option<Length>,
-    ) {
-        let properties = [
-            ("mass", &given.mass),
-            ("flap_stiffness", &given.flap_stiffness),
-            ("lag_stiffness", &given.lag_stiffness),
-            ("torsion_stiffness", &given.torsion_stiffness),
-            ("polar_inertia", &given.polar_inertia),
-            ("mass_offset", &given.mass_offset),
-            ("twist", &given.twist),
-        ];
+    fn distribution_warnings(&mut self, given: &DistributionDefinition, radius: Option<Length>) {
         let beyond =
             |r: &[f64]| radius.is_some_and(|radius| r.last().is_some_and(|&r| r > radius.given * (1.0 + NEAR)));
         if let Some(r) = &given.r {
-            if !properties.iter().any(|(_, p)| matches!(p, Some(PropertyDefinition::OnStations(_)))) {
+            if !given.properties.iter().any(|p| matches!(p, Some(PropertyDefinition::OnStations(_)))) {
                 self.warn("distribution.r", "not used: no property is a list on these radii");
             } else if beyond(r) {
                 self.warn("distribution.r", "radii beyond the tip radius do not act");
             }
         }
-        for (key, property) in properties {
-            if let Some(PropertyDefinition::OwnRadii { r, .. }) = property
+        for property in Property::ALL {
+            if let Some(PropertyDefinition::OwnRadii { r, .. }) = &given[property]
                 && beyond(r)
             {
-                self.warn(&format!("distribution.{key}.r"), "radii beyond the tip radius do not act");
+                let path = format!("distribution.{}.r", property.key());
+                self.warn(&path, "radii beyond the tip radius do not act");
             }
         }
-        if moved {
-            self.warn("distribution.mass_offset", "acts in torsion only");
-        }
-        if twisted {
-            self.warn("distribution.twist", "not used by the uncoupled solver");
-        }
     }
+}
+
+/// The innermost root from which a property must be known; none where it need not be, or where a
+/// root is not known.
+fn inmost(property: Property, known: &[Option<Known>; Property::COUNT], roots: &[CheckedRoot; 3]) -> Option<Length> {
+    let row = property.row();
+    let acts = |property: Property| known[property.index()].as_ref().is_some_and(Known::acts);
+    if !row.required && !acts(property) {
+        return None;
+    }
+    let also = row.also_from.iter().filter(|(other, _)| acts(*other)).map(|(_, dof)| dof);
+    let offsets = row.known_from.iter().chain(also).map(|dof: &Dof| roots[dof.index()].offset);
+    // A root that is not known makes the innermost one unknown.
+    let offsets = offsets.collect::<Option<Vec<Length>>>()?;
+    offsets.into_iter().reduce(|least, other| if least.si < other.si { least } else { other })
 }

@@ -5,29 +5,17 @@ use crate::blade::{DistributionDefinition, PropertyDefinition};
 use crate::units::{ForceUnit, LengthUnit, MassUnit, SpeedUnit};
 use alloc::vec;
 
-fn root(root: RootKind) -> RootDefinition {
-    RootDefinition { root: Some(root), ..RootDefinition::default() }
-}
-
 /// A uniform blade with roots at the centre of rotation.
 fn definition() -> BladeDefinition {
-    let one = Some(PropertyDefinition::Uniform(1.0));
-    BladeDefinition {
-        name: Some("test".into()),
-        rotor: Some(RotorDefinition { radius: Some(2.0), nominal_speed: Some(60.0), blades: None }),
-        flap: Some(root(RootKind::Hingeless)),
-        lag: Some(root(RootKind::Hinged)),
-        torsion: Some(root(RootKind::Rigid)),
-        distribution: Some(DistributionDefinition {
-            mass: one.clone(),
-            flap_stiffness: one.clone(),
-            lag_stiffness: one.clone(),
-            torsion_stiffness: one.clone(),
-            polar_inertia: one,
-            ..DistributionDefinition::default()
-        }),
-        ..BladeDefinition::default()
-    }
+    BladeDefinition::new("test", 2.0, 60.0)
+        .with_flap(RootDefinition::hingeless(0.0))
+        .with_lag(RootDefinition::hinged(0.0))
+        .with_torsion(RootDefinition::rigid(0.0))
+        .with(Property::Mass, 1.0)
+        .with(Property::FlapStiffness, 1.0)
+        .with(Property::LagStiffness, 1.0)
+        .with(Property::TorsionStiffness, 1.0)
+        .with(Property::PolarInertia, 1.0)
 }
 
 fn paths(definition: &BladeDefinition) -> Vec<String> {
@@ -44,17 +32,12 @@ fn everything_is_converted_once() {
         speed: SpeedUnit::Rpm,
         ..Units::default()
     };
-    given.flap.as_mut().unwrap().offset_ratio = Some(0.25);
-    given.lag = Some(RootDefinition {
-        root: Some(RootKind::SpringHinged),
-        offset: Some(0.5),
-        offset_ratio: None,
-        spring: Some(3.0),
-    });
+    given.flap = Some(RootDefinition { offset: None, offset_ratio: Some(0.25), ..RootDefinition::hingeless(0.0) });
+    given.lag = Some(RootDefinition::spring_hinged(0.5, 3.0));
     let distribution = given.distribution.as_mut().unwrap();
     distribution.r = Some(vec![0.0, 1.0, 1.0, 2.0]);
-    distribution.mass = Some(PropertyDefinition::OnStations(vec![4.0, 3.0, 2.0, 1.0]));
-    distribution.mass_offset = Some(PropertyDefinition::Uniform(-0.5));
+    distribution[Property::Mass] = Some(PropertyDefinition::OnStations(vec![4.0, 3.0, 2.0, 1.0]));
+    distribution[Property::MassOffset] = Some(PropertyDefinition::Uniform(-0.5));
     let blade = check(&given).unwrap();
     let (foot, pound, lbf) = (0.3048, 0.453_592_37, 0.453_592_37 * 9.806_65);
     assert_eq!(blade.radius(), 2.0 * foot);
@@ -66,14 +49,13 @@ fn everything_is_converted_once() {
     assert_eq!(blade.stiffness(Dof::Torsion).at(0.1), lbf * foot * foot);
     assert_eq!(blade.polar_inertia().at(0.1), pound * foot);
     assert_eq!(blade.mass_offset().at(0.1), -0.5 * foot);
-    assert_eq!(blade.warnings().len(), 1);
+    assert!(blade.warnings().is_empty());
 }
 
 #[test]
 fn a_spring_of_zero_is_a_free_root() {
     let mut given = definition();
-    given.torsion =
-        Some(RootDefinition { root: Some(RootKind::Spring), spring: Some(-0.0), ..RootDefinition::default() });
+    given.torsion = Some(RootDefinition::spring(0.0, -0.0));
     let blade = check(&given).unwrap();
     assert_eq!(blade.root(Dof::Torsion).condition, RootCondition::Free);
     assert_eq!(blade.root(Dof::Lag).condition, RootCondition::Free);
@@ -105,8 +87,8 @@ fn mass_must_act_outboard_of_each_bending_root_and_inertia_outboard_of_torsion()
     given.lag.as_mut().unwrap().offset = Some(1.5);
     let distribution = given.distribution.as_mut().unwrap();
     let inner = PropertyDefinition::OwnRadii { r: vec![0.0, 1.0, 2.0], values: vec![1.0, 0.0, 0.0] };
-    distribution.mass = Some(inner.clone());
-    distribution.polar_inertia = Some(inner);
+    distribution[Property::Mass] = Some(inner.clone());
+    distribution[Property::PolarInertia] = Some(inner);
     let faults = check(&given).unwrap_err();
     assert_eq!(faults.len(), 1);
     assert_eq!(
@@ -121,7 +103,7 @@ fn a_step_may_lie_at_the_root_and_at_the_tip() {
     given.flap.as_mut().unwrap().offset = Some(1.0);
     let distribution = given.distribution.as_mut().unwrap();
     let r = vec![1.0, 1.0, 2.0, 2.0];
-    distribution.flap_stiffness = Some(PropertyDefinition::OwnRadii { r, values: vec![9.0, 1.0, 1.0, 9.0] });
+    distribution[Property::FlapStiffness] = Some(PropertyDefinition::OwnRadii { r, values: vec![9.0, 1.0, 1.0, 9.0] });
     assert_eq!(check(&given).unwrap().stiffness(Dof::Flap).at(1.5), 1.0);
 }
 
@@ -129,7 +111,8 @@ fn a_step_may_lie_at_the_root_and_at_the_tip() {
 fn radii_one_above_the_other_are_told_apart_from_steps() {
     let mut given = definition();
     let r = vec![0.0, 1.0, 1.0, 1.0 + 1e-12, f64::NAN, 1.5, 1.2, 2.0, 2.0, 2.0];
-    given.distribution.as_mut().unwrap().mass = Some(PropertyDefinition::OwnRadii { values: vec![1.0; r.len()], r });
+    given.distribution.as_mut().unwrap()[Property::Mass] =
+        Some(PropertyDefinition::OwnRadii { values: vec![1.0; r.len()], r });
     let found: Vec<_> = check(&given).unwrap_err().into_iter().map(|fault| (fault.path, fault.code)).collect();
     let place = |i: usize| format!("distribution.mass.r[{i}]");
     let expected = [
@@ -148,7 +131,8 @@ fn radii_that_fall_together_in_si_units_are_refused() {
     // Neighbouring numbers, all beyond the tip: fewer of them in metres.
     let next = |steps: u64| f64::from_bits(2.1e9_f64.to_bits() + steps);
     let r = vec![0.0, 2.0, next(1), next(1), next(2), next(3), next(4), next(5), next(6), next(7), next(8)];
-    given.distribution.as_mut().unwrap().mass = Some(PropertyDefinition::OwnRadii { values: vec![1.0; r.len()], r });
+    given.distribution.as_mut().unwrap()[Property::Mass] =
+        Some(PropertyDefinition::OwnRadii { values: vec![1.0; r.len()], r });
     let faults = check(&given).unwrap_err();
     assert_eq!(faults.len(), 1, "{faults:?}");
     assert_eq!((faults[0].code, faults[0].path.as_str()), (FaultCode::Radii, "distribution.mass.r"));
@@ -168,4 +152,68 @@ fn numbers_are_shown_shortest() {
     ] {
         assert_eq!(shortest(value), text);
     }
+}
+
+#[test]
+fn numbers_whose_squares_would_not_be_numbers_are_refused() {
+    let refused = |given: BladeDefinition| check(&given).unwrap_err().to_string();
+    let cases = [
+        (
+            definition().with(Property::Mass, 1e-110),
+            "distribution.mass: mass per length must be 0 or from 1e-30 to 1e30 kg/m (is 1e-110)",
+        ),
+        (
+            definition().with(Property::FlapStiffness, [(0.0, 1e200), (2.0, 1.0)]),
+            "distribution.flap_stiffness.values[0]: flap stiffness at r = 0 m must be from 1e-30 to 1e30 N·m² (is 1e200)",
+        ),
+        (
+            definition().with(Property::TorsionStiffness, 1e-31),
+            "distribution.torsion_stiffness: torsion stiffness must be from 1e-30 to 1e30 N·m² (is 1e-31)",
+        ),
+        (
+            definition().with(Property::PolarInertia, 1e31),
+            "distribution.polar_inertia: polar inertia must be 0 or from 1e-30 to 1e30 kg·m (is 1e31)",
+        ),
+        (
+            definition().with(Property::MassOffset, -1e7),
+            "distribution.mass_offset: mass offset must be from -1e6 to 1e6 m (is -10000000)",
+        ),
+        (
+            definition().with(Property::Twist, 1e7),
+            "distribution.twist: twist must be from -1e6 to 1e6 rad (is 10000000)",
+        ),
+        (
+            definition().with_lag(RootDefinition::spring_hinged(0.0, 1e200)),
+            "lag.spring: lag spring must be 0 or from 1e-30 to 1e30 N·m/rad (is 1e200)",
+        ),
+    ];
+    for (given, message) in cases {
+        assert_eq!(refused(given), message);
+    }
+    let rotor =
+        |radius, speed| BladeDefinition { rotor: BladeDefinition::new("", radius, speed).rotor, ..definition() };
+    assert_eq!(refused(rotor(1e-200, 60.0)), "rotor.radius: tip radius must be from 1e-6 to 1e6 m (is 1e-200)");
+    assert_eq!(
+        refused(rotor(2.0, 1e80)),
+        "rotor.nominal_speed: nominal speed must be from 1e-9 to 1e9 rad/s (is 1e80)"
+    );
+}
+
+/// The units of the file do not matter: 1e4 km would be legal in millimetres.
+#[test]
+fn sizes_are_looked_at_in_si_units() {
+    let mut given = definition().with(Property::FlapStiffness, 1e31);
+    given.units.length = LengthUnit::Millimetre;
+    let rotor = RotorDefinition { radius: Some(2e7), ..given.rotor.unwrap() };
+    assert_eq!(check(&BladeDefinition { rotor: Some(rotor), ..given }).unwrap().radius(), 2e4);
+}
+
+#[test]
+fn too_many_stations_are_one_fault_of_each_list() {
+    let list = |count: usize| -> Vec<f64> { (0..count).map(|i| 2.0 * i as f64 / (count - 1) as f64).collect() };
+    let with = |count| definition().with_stations(list(count)).with(Property::Mass, vec![1.0; count]);
+    assert_eq!(check(&with(10_000)).unwrap().mass().stations().len(), 10_000);
+    let expected = "distribution.r: list of radii must have at most 10000 values (has 10001)\n\
+                    distribution.mass: mass per length must have at most 10000 values (has 10001)";
+    assert_eq!(check(&with(10_001)).unwrap_err().to_string(), expected);
 }

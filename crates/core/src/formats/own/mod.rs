@@ -7,6 +7,7 @@
 //! A [`Tree`] knows where in the text each key and value stands, so every fault has a line and a
 //! column, be it found by the parser, by the reader or by the check.
 
+mod changes;
 mod from_json;
 mod from_toml;
 mod reader;
@@ -18,8 +19,8 @@ pub use writer::{to_json, to_toml};
 
 use super::BYTE_ORDER_MARK;
 use super::place::{Placed, drop_consequences, in_order};
-use crate::blade::{Blade, BladeDefinition, check};
-use crate::fault::Fault;
+use crate::blade::{Blade, BladeDefinition, Change, check};
+use crate::fault::Faults;
 use crate::units::Units;
 use alloc::vec::Vec;
 use reader::Reader;
@@ -77,20 +78,20 @@ pub struct BladeFile {
 /// let faults = read("schema = \"bladefan-blade/1\"\nname = 4\n", Format::Toml).unwrap_err();
 /// assert_eq!(faults.last().unwrap().to_string(), "2:8: name: name must be text (is 4)");
 /// ```
-pub fn read(text: &str, format: Format) -> Result<BladeFile, Vec<Fault>> {
+pub fn read(text: &str, format: Format) -> Result<BladeFile, Faults> {
     let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
     let tree = match format {
         Format::Toml => from_toml::tree(text),
         Format::Json => from_json::tree(text),
     };
-    tree.and_then(|tree| read_placed(&tree)).map_err(|faults| in_order(text, &faults))
+    tree.and_then(|tree| read_placed(&tree)).map_err(|faults| in_order(text, &faults).into())
 }
 
 /// Reads a blade from an object that came from elsewhere, JavaScript say, in the file's keys.
 ///
 /// # Errors
 /// Every fault, without line and column.
-pub fn read_tree(tree: &Tree) -> Result<BladeFile, Vec<Fault>> {
+pub fn read_tree(tree: &Tree) -> Result<BladeFile, Faults> {
     read_placed(tree).map_err(|faults| faults.into_iter().map(|placed| placed.fault).collect())
 }
 
@@ -98,7 +99,7 @@ pub fn read_tree(tree: &Tree) -> Result<BladeFile, Vec<Fault>> {
 ///
 /// # Errors
 /// Every fault of keys, types, words and units, without line and column.
-pub fn read_definition(tree: &Tree) -> Result<BladeDefinition, Vec<Fault>> {
+pub fn read_definition(tree: &Tree) -> Result<BladeDefinition, Faults> {
     let mut reader = Reader::default();
     let definition = reader.definition(tree);
     without_places(reader, definition)
@@ -108,15 +109,25 @@ pub fn read_definition(tree: &Tree) -> Result<BladeDefinition, Vec<Fault>> {
 ///
 /// # Errors
 /// Every fault, without line and column.
-pub fn read_units(tree: &Tree, absent: Units) -> Result<Units, Vec<Fault>> {
+pub fn read_units(tree: &Tree, absent: Units) -> Result<Units, Faults> {
     let mut reader = Reader::default();
-    let units = reader.units_of(tree, absent);
+    let units = reader.units_at("units", tree, absent);
     without_places(reader, units)
 }
 
-fn without_places<T>(reader: Reader, value: T) -> Result<T, Vec<Fault>> {
-    let faults: Vec<Fault> = reader.faults.into_iter().map(|placed| placed.fault).collect();
-    if faults.is_empty() { Ok(value) } else { Err(faults) }
+/// Reads a list of changes of a blade; units that are absent are those of `absent`, the blade's.
+///
+/// # Errors
+/// Every fault, without line and column; paths are `changes[0].what` and the like.
+pub fn read_changes(tree: &Tree, absent: Units) -> Result<Vec<Change>, Faults> {
+    let mut reader = Reader::default();
+    let changes = reader.changes(tree, absent);
+    without_places(reader, changes)
+}
+
+fn without_places<T>(reader: Reader, value: T) -> Result<T, Faults> {
+    let faults: Faults = reader.faults.into_iter().map(|placed| placed.fault).collect();
+    faults.none().map(|()| value)
 }
 
 fn read_placed(tree: &Tree) -> Result<BladeFile, Vec<Placed>> {

@@ -3,8 +3,8 @@
 use super::SCHEMA;
 use super::tree::{Entry, Node, Tree};
 use crate::blade::{
-    BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Shortest,
-    Source, choice_fault,
+    BladeDefinition, DistributionDefinition, Property, PropertyDefinition, RootDefinition, RootKind, RotorDefinition,
+    Shortest, Source, choice_fault,
 };
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode};
@@ -29,20 +29,20 @@ pub(super) struct Reader {
 }
 
 /// A table of the file and its path, with a dot at its end; empty for the whole file.
-struct Table<'t> {
+pub(super) struct Table<'t> {
     prefix: String,
-    at: Option<usize>,
+    pub(super) at: Option<usize>,
     entries: &'t [Entry],
 }
 
 impl<'t> Table<'t> {
     /// The value of a key; `null` counts as absent.
-    fn get(&self, key: &str) -> Option<&'t Tree> {
+    pub(super) fn get(&self, key: &str) -> Option<&'t Tree> {
         let entry = self.entries.iter().find(|entry| entry.key == key)?;
         Some(&entry.value).filter(|value| !matches!(value.node, Node::Null))
     }
 
-    fn path(&self, key: &str) -> String {
+    pub(super) fn path(&self, key: &str) -> String {
         format!("{}{key}", self.prefix)
     }
 }
@@ -76,11 +76,11 @@ impl Reader {
         }
     }
 
-    fn push(&mut self, at: Option<usize>, fault: Fault) {
+    pub(super) fn push(&mut self, at: Option<usize>, fault: Fault) {
         self.faults.push(Placed { at, fault });
     }
 
-    fn wrong_type(&mut self, path: &str, tree: &Tree, rule: &str) {
+    pub(super) fn wrong_type(&mut self, path: &str, tree: &Tree, rule: &str) {
         let value = shown(tree);
         let subject = if path.is_empty() { "the file".into() } else { words(path) };
         let message = format!("{subject} {rule} (is {value})");
@@ -88,7 +88,7 @@ impl Reader {
     }
 
     /// The entries of a table; a fault for every key that is not known.
-    fn table<'t>(&mut self, path: &str, tree: &'t Tree, known: &[&str]) -> Option<Table<'t>> {
+    pub(super) fn table<'t>(&mut self, path: &str, tree: &'t Tree, known: &[&str]) -> Option<Table<'t>> {
         let Node::Table(entries) = &tree.node else {
             self.wrong_type(path, tree, "must be a table");
             return None;
@@ -128,7 +128,7 @@ impl Reader {
         }
     }
 
-    fn text(&mut self, table: &Table, key: &str) -> Option<String> {
+    pub(super) fn text(&mut self, table: &Table, key: &str) -> Option<String> {
         let tree = table.get(key)?;
         if let Node::Text(text) = &tree.node {
             return Some(text.clone());
@@ -137,13 +137,23 @@ impl Reader {
         None
     }
 
-    fn number(&mut self, table: &Table, key: &str) -> Option<f64> {
+    pub(super) fn number(&mut self, table: &Table, key: &str) -> Option<f64> {
         let tree = table.get(key)?;
         if let Node::Number(value) = tree.node {
             return Some(value);
         }
         self.wrong_type(&table.path(key), tree, "must be a number");
         Some(f64::NAN)
+    }
+
+    /// A truth value.
+    pub(super) fn truth(&mut self, table: &Table, key: &str) -> Option<bool> {
+        let tree = table.get(key)?;
+        if let Node::Bool(value) = tree.node {
+            return Some(value);
+        }
+        self.wrong_type(&table.path(key), tree, "must be true or false");
+        None
     }
 
     fn numbers(&mut self, path: &str, values: &[Tree]) -> Vec<f64> {
@@ -167,8 +177,8 @@ impl Reader {
     }
 
     /// Units on their own; those that are absent are those of `absent`.
-    pub(super) fn units_of(&mut self, tree: &Tree, absent: Units) -> Units {
-        self.table("units", tree, &UNITS).map_or(absent, |table| self.units(&table, absent))
+    pub(super) fn units_at(&mut self, path: &str, tree: &Tree, absent: Units) -> Units {
+        self.table(path, tree, &UNITS).map_or(absent, |table| self.units(&table, absent))
     }
 
     fn units(&mut self, table: &Table, absent: Units) -> Units {
@@ -226,26 +236,11 @@ impl Reader {
     }
 
     fn distribution(&mut self, file: &Table) -> Option<DistributionDefinition> {
-        let known = [
-            "r",
-            "mass",
-            "flap_stiffness",
-            "lag_stiffness",
-            "torsion_stiffness",
-            "polar_inertia",
-            "mass_offset",
-            "twist",
-        ];
+        let known: Vec<&str> = core::iter::once("r").chain(Property::ALL.into_iter().map(Property::key)).collect();
         let table = self.sub_table(file, "distribution", &known)?;
         Some(DistributionDefinition {
             r: self.list(&table, "r"),
-            mass: self.property(&table, "mass"),
-            flap_stiffness: self.property(&table, "flap_stiffness"),
-            lag_stiffness: self.property(&table, "lag_stiffness"),
-            torsion_stiffness: self.property(&table, "torsion_stiffness"),
-            polar_inertia: self.property(&table, "polar_inertia"),
-            mass_offset: self.property(&table, "mass_offset"),
-            twist: self.property(&table, "twist"),
+            properties: Property::ALL.map(|property| self.property(&table, property.key())),
         })
     }
 
@@ -314,7 +309,7 @@ fn shown(tree: &Tree) -> String {
 }
 
 /// Text of a file in a message: one line, not too long.
-fn clipped(text: &str) -> String {
+pub(super) fn clipped(text: &str) -> String {
     let mut short: String = text.chars().take(LONGEST).flat_map(char::escape_debug).collect();
     if text.chars().nth(LONGEST).is_some() {
         short.push('…');

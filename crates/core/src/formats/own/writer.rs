@@ -3,7 +3,8 @@
 use super::SCHEMA;
 use super::tree::{Entry, Node, Tree};
 use crate::blade::{
-    BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Shortest,
+    BladeDefinition, DistributionDefinition, Property, PropertyDefinition, RootDefinition, RootKind, RotorDefinition,
+    Shortest,
 };
 use crate::units::Units;
 use alloc::string::String;
@@ -106,16 +107,9 @@ impl From<&RootDefinition> for Tree {
 
 impl From<&DistributionDefinition> for Tree {
     fn from(given: &DistributionDefinition) -> Self {
-        Table::default()
-            .with("r", given.r.as_ref())
-            .with("mass", given.mass.as_ref())
-            .with("flap_stiffness", given.flap_stiffness.as_ref())
-            .with("lag_stiffness", given.lag_stiffness.as_ref())
-            .with("torsion_stiffness", given.torsion_stiffness.as_ref())
-            .with("polar_inertia", given.polar_inertia.as_ref())
-            .with("mass_offset", given.mass_offset.as_ref())
-            .with("twist", given.twist.as_ref())
-            .into()
+        let radii = Table::default().with("r", given.r.as_ref());
+        let with = |table: Table, property: Property| table.with(property.key(), given[property].as_ref());
+        Property::ALL.into_iter().fold(radii, with).into()
     }
 }
 
