@@ -3,7 +3,7 @@
 import { at } from "../lib/dom.js";
 import { DOFS } from "../lib/dof-toggles.js";
 import { basisWords, boundsWords, fieldNumber, figures, marginWords, paperWords } from "../lib/format.js";
-import { PROPERTIES, isNeutral } from "../lib/scale.js";
+import { isNeutral } from "../lib/what-if.js";
 import { unitFactor } from "../lib/speed-words.js";
 import { unitOf } from "../lib/unit-words.js";
 import { nearModes, nearNote, nearness } from "../modes/nearness.js";
@@ -26,6 +26,9 @@ const NAMES = {
   mass_offset: ["mass offset", "length"],
   twist: ["twist", "angle"],
 };
+
+/** What a slider scales, where that is more than its name says. */
+const SCALED = { mass: "mass and polar inertia" };
 
 const make = (tag, text = "", className = "") => Object.assign(document.createElement(tag), { textContent: text, className });
 const number = (value) => (typeof value === "number" ? fieldNumber(value, 6).replace("-", "−") : String(value ?? ""));
@@ -60,7 +63,7 @@ export function stationColumns({ distribution, units }) {
   const columns = [];
   const constants = [];
   let radii = null;
-  for (const property of PROPERTIES) {
+  for (const property of Object.keys(NAMES)) {
     const given = distribution[property];
     if (given === undefined) continue;
     const [name, kind] = NAMES[property];
@@ -93,10 +96,10 @@ function stations(blade, most) {
 }
 
 /** What the what-if sliders change, in words. */
-export function whatIfWords({ factors, from, to, offsets, springs }, units) {
+export function whatIfWords({ factors, from, to, offsets, springs, length: unit }, units) {
   const times = (table, name) => Object.entries(table).filter(([, factor]) => factor !== 1).map(([key, factor]) => `${name(key)} × ${fieldNumber(factor, 4)}`);
-  const length = unitOf("length", units);
-  const scaledWords = times(factors, (key) => key.replace("_", " "));
+  const length = unit ?? unitOf("length", units);
+  const scaledWords = times(factors, (key) => SCALED[key] ?? key.replace("_", " "));
   if (scaledWords.length > 0 && (from !== null || to !== null)) scaledWords.push(`from ${from === null ? "root" : number(from)} to ${to === null ? "tip" : `${number(to)} ${length}`}`);
   return [...scaledWords, ...Object.entries(offsets).map(([dof, offset]) => `${dof} offset ${number(offset)} ${length}`), ...times(springs, (dof) => `${dof} spring`)].join(", ");
 }
