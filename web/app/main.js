@@ -7,6 +7,7 @@ import { startUnits } from "../blade/units.js";
 import { startWhatIf } from "../blade/what-if.js";
 import { startBand } from "../chart/band.js";
 import { Chart } from "../chart/chart.js";
+import { knowUnits } from "../chart/frame.js";
 import { startHover } from "../chart/hover.js";
 import { startMeasured } from "../chart/measured.js";
 import { startNumbers } from "../chart/numbers.js";
@@ -138,6 +139,7 @@ async function start() {
   at("version").textContent = `bladefan ${version}`;
   at("blade-choice").replaceChildren(...blades.map((blade) => new Option(blade.title, blade.name)), new Option("your own blade", OWN));
   at("blade-choice").disabled = false;
+  knowUnits(speedUnits);
   store.set({ about, library: blades });
   if (open.begun()) return open.haveBlade(); // a file came in meanwhile
   // Whatever stands in the address or in storage, the page starts.

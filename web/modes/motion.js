@@ -1,7 +1,7 @@
 // The chosen mode: its shape along the span, its moment, and the blade in motion.
 
 import { at, element, make } from "../lib/dom.js";
-import { boundsWords, fieldNumber, figures, marginWords, paperWords } from "../lib/format.js";
+import { boundsWords, fieldNumber, figures, marginWords, paperWords, perRevWords } from "../lib/format.js";
 import { shownSpeed } from "../lib/speed-words.js";
 import { optionsOf } from "../solver/keep-up.js";
 import { STAGE, camera, chordAt, hubPaths, platePaths } from "./plate.js";
@@ -24,8 +24,8 @@ const YIELD_MS = 200;
 /** The chosen mode in one line, with what the table has no room for. */
 export function modeWords(mode, functions) {
   const parts = [`${figures(mode.frequency_rad_s)} rad/s`, `${figures(mode.frequency_hz)} Hz`];
-  if (mode.per_rev !== null) parts.push(`${mode.per_rev.toFixed(3)}/rev, ${marginWords(mode)}`);
-  parts.push(`bounds ${boundsWords(mode)}${boundsWords(mode).startsWith("±") ? " rad/s" : ""}`);
+  if (mode.per_rev !== null) parts.push(`${perRevWords(mode.per_rev)}/rev, ${marginWords(mode)}`);
+  parts.push(`bounds ${boundsWords(mode, " rad/s")}`);
   if (mode.classical_rad_s !== null) parts.push(`the paper’s ${functions} functions ${figures(mode.classical_rad_s)} rad/s, ${paperWords(mode)}`);
   return parts.join("; ");
 }

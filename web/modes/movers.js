@@ -2,6 +2,7 @@
 // little less of what holds the mode, and a straight line through both.
 
 import { at } from "../lib/dom.js";
+import { percentWords } from "../lib/format.js";
 import { optionsOf } from "../solver/keep-up.js";
 import { NEAR, nearModes } from "./nearness.js";
 
@@ -39,7 +40,6 @@ export function changeFor(margin, slope, wanted = NEAR) {
 }
 
 const twoFigures = (value) => String(Number(Math.abs(value).toPrecision(2)));
-const signed = (percent) => `${percent < 0 ? "−" : "+"}${twoFigures(percent)} %`;
 
 /**
  * What moves a mode, in words, from what each lever does to it: "Flap stiffness +1 % moves 3F up by
@@ -51,7 +51,7 @@ export function moverWords({ label, margin_per_rev: margin }, pulls) {
   for (const { name, slope } of pulls.filter(({ slope }) => Math.abs(slope) >= HARDLY)) {
     const change = changeFor(margin, slope);
     const moves = `${name} +1 % moves ${label} ${slope < 0 ? "down" : "up"} by about ${twoFigures(slope)}/rev`;
-    sentences.push(change === null ? `${moves}.` : `${moves}; about ${signed(change)} brings the margin to ${NEAR}/rev.`);
+    sentences.push(change === null ? `${moves}.` : `${moves}; about ${percentWords(change)} brings the margin to ${NEAR}/rev.`);
   }
   return sentences.join(" ");
 }

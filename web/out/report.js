@@ -2,7 +2,7 @@
 
 import { at } from "../lib/dom.js";
 import { DOFS } from "../lib/dof-toggles.js";
-import { basisWords, boundsWords, fieldNumber, figures, marginWords, paperWords } from "../lib/format.js";
+import { basisWords, boundsWords, crossingWords, crossingsWithin, fieldNumber, figures, marginWords, paperWords, perRevWords } from "../lib/format.js";
 import { isNeutral } from "../lib/what-if.js";
 import { unitFactor } from "../lib/speed-words.js";
 import { unitOf } from "../lib/unit-words.js";
@@ -128,7 +128,7 @@ function frequencies({ modes, fan }) {
       mode.label,
       figures(mode.frequency_rad_s),
       figures(mode.frequency_hz),
-      mode.per_rev === null ? "–" : mode.per_rev.toFixed(3),
+      perRevWords(mode.per_rev),
       boundsWords(mode),
       mode.classical_rad_s === null ? "–" : figures(mode.classical_rad_s),
       paperWords(mode),
@@ -145,13 +145,12 @@ function crossings(state) {
   const { fan, band, speedUnit } = state;
   if (fan === null) return [];
   const nominal = fan.nominal.speed_rad_s;
-  const [from, to] = band.map((ratio) => ratio * nominal);
-  const inBand = fan.crossings.filter(({ speed_rad_s: speed }) => speed >= from && speed <= to).sort((a, b) => a.speed_rad_s - b.speed_rad_s);
+  const inBand = crossingsWithin(fan, band);
   const words = `${band[0]} to ${band[1]} of nominal speed`;
   if (inBand.length === 0) return [make("p", `No crossing with harmonics up to ${fan.harmonics}P between ${words}.`)];
   const factor = unitFactor(state, speedUnit);
   const shown = inBand.slice(0, MOST.beside - Math.min(MOST.modes, state.modes.modes.length));
-  const rows = shown.map((crossing) => [`${crossing.label} × ${crossing.harmonic}P`, fieldNumber(crossing.speed_rad_s / factor, 4), (crossing.speed_rad_s / nominal).toFixed(3), figures(crossing.frequency_rad_s)]);
+  const rows = shown.map((crossing) => [crossingWords(crossing), fieldNumber(crossing.speed_rad_s / factor, 4), (crossing.speed_rad_s / nominal).toFixed(3), figures(crossing.frequency_rad_s)]);
   const parts = [table(`Crossings, ${words}`, ["", speedUnit, "of nominal", "rad/s"], rows)];
   if (shown.length < inBand.length) parts.push(make("p", `The first ${shown.length} of ${inBand.length} crossings.`));
   return parts;
