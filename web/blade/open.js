@@ -34,6 +34,7 @@ export function startOpening(store, client, blade, say) {
   function refuse(text, faults, typed) {
     haveBlade();
     store.set({ draft: text, textFaults: faults, ...(typed ? {} : { tab: "text" }) });
+    if (!typed) at("text-note").scrollIntoView({ block: "nearest" });
   }
 
   /** Opens a text: a blade where it is one, with a view of it; else its faults beside it. Says whether nothing newer came between. */
