@@ -16,7 +16,7 @@ const FILES = [
   "modes/lesson.js", "modes/motion.js", "modes/movers.js", "modes/nearness.js", "modes/plate.js",
   "modes/shape.js", "modes/table.js",
   "out/download.js", "out/report.js", "out/save.js",
-  "solver/client.js", "solver/keep-up.js", "solver/lanes.js", "solver/worker.js",
+  "solver/changed.js", "solver/client.js", "solver/keep-up.js", "solver/lanes.js", "solver/worker.js",
   "stations/columns.js", "stations/faults.js", "stations/forms.js", "stations/parts.js",
   "stations/paste/block.js", "stations/paste/panel.js", "stations/profiles.js", "stations/sheet/editor.js",
   "stations/sheet/grid.js", "stations/sheet/keys.js", "stations/span.js", "stations/tab.js",

@@ -4,7 +4,7 @@
 import { Client } from "./client.js";
 
 /** What the small module answers, beside fan charts without measured points. */
-const SMALL = ["modes", "fan", "change_blade"];
+const SMALL = ["modes", "fan"];
 
 function isSmall(name, [kind, , options]) {
   return SMALL.includes(name) || (name === "chart_svg" && kind === "fan" && (options?.measured ?? null) === null);
