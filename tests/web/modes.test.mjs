@@ -359,7 +359,7 @@ modesTest("a full report still has one page, and says what it leaves out", {}, a
   await page.keyboard.press("Control+p");
   await page.waitForFunction(() => window.prints === 1);
   const text = () => page.locator("#report").textContent();
-  assert.match(await text(), /What if, already in these numbers: mass × 1\.07/);
+  assert.match(await text(), /What if, already in these numbers: mass and polar inertia × 1\.07/);
   assert.match(await text(), /The first 28 of 60 stations\./);
   assert.match(await text(), /The first 12 of \d+ crossings\./);
   await fitsPaper(page, "many-crossings");
