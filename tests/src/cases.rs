@@ -114,7 +114,8 @@ impl Case {
             let settings = Settings { speed: Some(speed), ..Settings::default() };
             let report = modes(blade, &settings).unwrap_or_else(|faults| panic!("{faults:?}"));
             for (label, &expected) in self.labels.iter().zip(&row[1..]) {
-                let mode: &ModeReport = report.modes.iter().find(|mode| mode.label == *label).expect("a known label");
+                let mode: &ModeReport =
+                    report.modes.iter().find(|mode| mode.label.to_string() == *label).expect("a known label");
                 let found = match self.frequency_unit.as_str() {
                     "Hz" => hz(mode.frequency_rad_s),
                     "rad/s" => mode.frequency_rad_s,

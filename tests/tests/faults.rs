@@ -243,7 +243,7 @@ fn measured_points_are_read_in_their_units() {
     assert_eq!(points.len(), 2);
     assert!((points[0].frequency_rad_s - 72.256_631_032_565_24).abs() < 1e-12);
     assert!((points[0].speed_rad_s - 69.115_038_378_975_45).abs() < 1e-12);
-    assert_eq!((points[1].label.as_str(), points[1].source.as_str()), ("12T", "a, b"));
+    assert_eq!((points[1].label.to_string().as_str(), points[1].source.as_str()), ("12T", "a, b"));
     let plain = measured::read("label,speed,frequency,source\n1L,2,3,me\n").unwrap();
     assert!((plain[0].speed_rad_s - 2.0).abs() < 1e-15 && (plain[0].frequency_rad_s - 3.0).abs() < 1e-15);
 }

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::help;
 use bladefan_core::analysis::Settings;
 use bladefan_core::chart::{ChartOptions, FrequencyUnit, Theme, parse_frequencies};
-use bladefan_core::fault::Fault;
+use bladefan_core::fault::Faults;
 use bladefan_core::units::SpeedUnit;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
@@ -264,7 +264,7 @@ type Given<'a> = Vec<(&'static str, &'a Option<String>)>;
 /// Reads options into settings and checks them; every fault at once.
 fn read(given: Given<'_>) -> Result<Settings, Failure> {
     let settings = set(given)?;
-    checked(&settings.check()).map(|()| settings)
+    checked(settings.check()).map(|()| settings)
 }
 
 fn set(given: Given<'_>) -> Result<Settings, Failure> {
@@ -277,11 +277,11 @@ fn set(given: Given<'_>) -> Result<Settings, Failure> {
             faults.push(fault);
         }
     }
-    checked(&faults).map(|()| settings)
+    checked(Faults::from(faults).none()).map(|()| settings)
 }
 
-fn checked(faults: &[Fault]) -> Result<(), Failure> {
-    if faults.is_empty() { Ok(()) } else { Err(Failure::options(faults)) }
+fn checked(checked: Result<(), Faults>) -> Result<(), Failure> {
+    checked.map_err(|faults| Failure::options(&faults))
 }
 
 impl SolverArgs {
@@ -334,6 +334,6 @@ impl ConvergeArgs {
         let mut given = vec![("speed", &self.speed.speed), ("up_to", &self.up_to)];
         given.extend(self.solver.given());
         let settings = set(given)?;
-        checked(&settings.check_converge()).map(|()| settings)
+        checked(settings.check_converge()).map(|()| settings)
     }
 }

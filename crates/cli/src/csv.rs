@@ -62,7 +62,7 @@ pub(crate) fn modes(report: &ModesReport) -> Result<String, Failure> {
             [
                 report.blade.clone(),
                 number(report.speed_rad_s),
-                mode.label.clone(),
+                mode.label.to_string(),
                 mode.dof.to_string(),
                 mode.number.to_string(),
                 number(mode.frequency_rad_s),
@@ -124,7 +124,7 @@ pub(crate) fn converge(report: &ConvergeReport) -> Result<String, Failure> {
         families(series).into_iter().flat_map(move |(family, functions, values)| {
             functions.into_iter().zip(values).map(move |(count, value)| {
                 [
-                    series.label.clone(),
+                    series.label.to_string(),
                     family.name().into(),
                     count.to_string(),
                     maybe(value),

@@ -49,8 +49,8 @@ impl Cell {
     }
 
     /// A mode's label in the colour of its degree of freedom, as in the charts.
-    pub(crate) fn label(label: &str, dof: Option<Dof>) -> Self {
-        Self { text: plain(label), style: dof.map(colour).unwrap_or_default() }
+    pub(crate) fn label(label: &impl ToString, dof: Option<Dof>) -> Self {
+        Self { text: plain(&label.to_string()), style: dof.map(colour).unwrap_or_default() }
     }
 }
 
@@ -282,7 +282,7 @@ mod tests {
     #[test]
     fn colour_takes_no_width() {
         let mut table = Table::new([("mode", Align::Left), ("x", Align::Left)]);
-        table.row([Cell::label("1F", Some(Dof::Flap)), Cell::text("y")]);
+        table.row([Cell::label(&"1F", Some(Dof::Flap)), Cell::text("y")]);
         let text = anstream::adapter::strip_str(&table.render()).to_string();
         assert_eq!(text, "mode   x\n1F     y\n");
     }

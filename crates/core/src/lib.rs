@@ -1,8 +1,9 @@
-//! Natural frequencies, mode shapes and fan charts of rotating blades, after Goulos, Pachidis &
-//! Pilidis, Aeronautical Journal 118 (1206), 2014 ("Eq. n" in these pages is an equation there).
+#![doc = include_str!("../README.md")]
 //!
-//! Flap, lag and torsion are solved apart. The motion of each is a sum of assumed functions,
-//! w(r, t) = Σ φ_i(r) q_i(t), and Lagrange's equation gives
+//! # The method
+//!
+//! "Eq. n" in these pages is an equation of the paper. The motion of each degree of freedom is a sum of
+//! assumed functions, w(r, t) = Σ φ_i(r) q_i(t), and Lagrange's equation gives
 //!
 //! (K + F + Ω² C − ω² M) q = 0
 //!
@@ -11,29 +12,25 @@
 //! eigenproblem. `docs/THEORY.md` has the rest.
 //!
 //! ```text
-//! blade file ──formats::read──▶ BladeDefinition ──blade::check──▶ Blade
-//!   ──lagrange::assemble──▶ SystemMatrices ──modes::solve──▶ Mode
-//!   ──fan::Curves::fit──▶ Curves ──analysis──▶ ModesReport, FanChart, … ──chart──▶ SVG
+//! blade file ──formats::read──▶ BladeDefinition ──check──▶ Blade
+//!   ──assembled──▶ M, K + F, C ──solved──▶ modes ──fitted over Ω²──▶ curves
+//!   ──modes, fan, shapes, …──▶ ModesReport, FanChart, … ──chart──▶ SVG
 //! ```
 //!
-//! Most callers need a [`blade::Blade`] and the facade [`analysis`]:
+//! Numbers are in SI units and rad/s; any other unit stands in a name.
 //!
 //! ```
 //! # #[cfg(feature = "library")] {
-//! use bladefan_core::analysis::{Settings, modes};
-//! use bladefan_core::{formats, library};
+//! use bladefan_core::{Settings, formats, library, modes};
 //!
 //! let text = library::find("uniform").expect("built in").toml;
-//! let blade = formats::read(text, formats::Format::Toml).expect("no faults").blade;
+//! let blade = formats::read(text, formats::Format::Toml)?.blade;
 //! let at_12 = Settings { speed: Some(12.0), functions: 60, ..Settings::default() };
-//! let report = modes(&blade, &at_12).expect("solvable");
 //! // Wright, Smith, Thresher & Wang 1982: 13.1702.
-//! assert!((report.modes[0].frequency_rad_s - 13.1702).abs() < 5e-5);
+//! assert!((modes(&blade, &at_12)?.modes[0].frequency_rad_s - 13.1702).abs() < 5e-5);
 //! # }
+//! # Ok::<(), bladefan_core::Faults>(())
 //! ```
-//!
-//! `no_std` with `alloc`. Results have the same bits on every target. SI units, rad/s; other units
-//! stand in a name. Features: `serde`, `formats`, `library`, `chart`.
 
 #![no_std]
 #![cfg_attr(
@@ -72,6 +69,20 @@ pub mod numerics;
 mod order;
 pub mod report;
 pub mod units;
+
+pub use analysis::{
+    MODEL, Model, Settings, ShapeScale, SpeedRange, at_speed, compare, converge, fan, margins, modes, shapes, summary,
+    warnings,
+};
+pub use blade::{
+    Amount, Blade, BladeDefinition, Change, Changed, DistributionDefinition, Property, PropertyDefinition, Root,
+    RootCondition, RootDefinition, RootKind, RotorDefinition, Source, Stretch, What, change, check, convert,
+};
+pub use dof::Dof;
+pub use fault::{Fault, FaultCode, Faults, Warning};
+pub use functions::BasisFamily;
+pub use label::{Label, NotALabel};
+pub use units::Units;
 
 /// Version of this program, as in results and charts.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

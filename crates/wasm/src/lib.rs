@@ -6,6 +6,7 @@
 
 #![allow(clippy::missing_errors_doc, reason = "the same for every export, and said above")]
 
+mod chart;
 mod options;
 mod reply;
 mod tree;
@@ -19,7 +20,7 @@ use crate::reply::reply;
 use bladefan_core::VERSION;
 use bladefan_core::analysis;
 use bladefan_core::blade::{self, Blade};
-use bladefan_core::chart::{self, Drawing, PlotArea};
+use bladefan_core::chart::{self as draw, Drawing, PlotArea};
 use bladefan_core::fault::{Fault, FaultCode, Faults};
 use bladefan_core::formats::{self, BladeFile, Tree};
 use bladefan_core::report::FanChart;
@@ -96,16 +97,16 @@ pub fn chart_svg(
             #[cfg(feature = "whole")]
             Analysis::Shapes => {
                 let report = analysis::shapes(blade, settings)?;
-                Drawn::new(chart::shapes(&report, &looks), Report::Shapes(report))
+                Drawn::new(draw::shapes(&report, &looks), Report::Shapes(report))
             }
             #[cfg(feature = "whole")]
             Analysis::Converge => {
                 let report = analysis::converge(blade, settings)?;
-                Drawn::new(chart::converge(&report, &looks), Report::Converge(report))
+                Drawn::new(draw::converge(&report, &looks), Report::Converge(report))
             }
             _ => {
                 let report = analysis::fan(blade, settings)?;
-                Drawn::new(chart::fan(&report, &looks), Report::Fan(report))
+                Drawn::new(draw::fan(&report, &looks), Report::Fan(report))
             }
         })
     })
@@ -128,6 +129,21 @@ pub fn change_blade(
     let changes = changes.and_then(|tree| formats::read_changes(&tree, units));
     let changed = Faults::both(given, changes).and_then(|(given, changes)| blade::change(&given, &changes));
     reply(changed.map(|changed| (changed, Vec::new())))
+}
+
+/// The branches of a fan chart, as `fan` gave it, at one rotor speed [rad/s] within it: read off between
+/// its speeds, nothing is solved. Empty for a chart of fewer than three speeds.
+#[wasm_bindgen(unchecked_return_type = "Reply<ModeAtSpeed[]>")]
+pub fn at_speed(
+    #[wasm_bindgen(unchecked_param_type = "FanChart")] chart: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "number")] speed: &JsValue,
+) -> Answer {
+    let speed = speed.as_f64().filter(|speed| speed.is_finite() && *speed >= 0.0);
+    let speed = speed.ok_or_else(|| tree::fault("speed", "must be a number of at least 0").into());
+    reply(Faults::both(chart::curves(chart), speed).map(|(chart, speed)| {
+        let branches = chart.branches.iter().map(|(label, frequencies)| (*label, frequencies.as_slice()));
+        (analysis::at_speed(&chart.speeds, branches, speed), Vec::new())
+    }))
 }
 
 /// Version of this program.

@@ -162,10 +162,9 @@ fn read(options: &JsValue, analysis: Analysis, mut looks: Option<&mut Looks>) ->
             faults.push(fault);
         }
     }
-    if faults.is_empty() {
-        faults = if analysis == Analysis::Converge { settings.check_converge() } else { settings.check() };
-    }
-    Faults::from(faults).none().map(|()| settings)
+    Faults::from(faults).none()?;
+    if analysis == Analysis::Converge { settings.check_converge() } else { settings.check() }?;
+    Ok(settings)
 }
 
 /// An option's value as on the command line: numbers in decimals that read back to the same f64,

@@ -204,6 +204,15 @@ export interface FanChart {
   nominal: { speed_rad_s: number; margins: Margin[] };
   warnings: Warning[];
 }
+/** One branch at one speed of a chart, as `at_speed` reads it off. */
+export interface ModeAtSpeed {
+  label: string;
+  frequency_rad_s: number;
+  /** Null at rest, as are the next two. */
+  per_rev: number | null;
+  nearest_harmonic: number | null;
+  margin_per_rev: number | null;
+}
 export interface Margin {
   label: string;
   per_rev: number;
@@ -219,7 +228,7 @@ export interface ShapesReport {
   basis: Basis;
   r_m: number[];
   radius_m: number;
-  shapes: { label: string; dof: Dof; number: number; frequency_rad_s: number; orthogonality: number; displacement: number[]; slope: number[]; moment: number[] }[];
+  shapes: { label: string; dof: Dof; number: number; frequency_rad_s: number; orthogonality: number; nodes_m: number[]; displacement: number[]; slope: number[]; moment: number[] }[];
   warnings: Warning[];
 }
 

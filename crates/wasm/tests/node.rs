@@ -7,8 +7,8 @@
 #![allow(missing_docs, reason = "tests say it by their names")]
 
 use bladefan_wasm::{
-    about, built_in_blades, change_blade, chart_svg, check, compare, converge, convert_blade, fan, margins, measured,
-    modes, parse_blade, shapes, version, write_blade,
+    about, at_speed, built_in_blades, change_blade, chart_svg, check, compare, converge, convert_blade, fan, margins,
+    measured, modes, parse_blade, shapes, version, write_blade,
 };
 use js_sys::{Array, Function, JSON, Object, Reflect};
 use wasm_bindgen::prelude::*;
@@ -390,4 +390,21 @@ fn a_blade_is_changed_and_what_goes_along_is_said() {
         faults(change_blade(&blade(), &js("1"))),
         ["wrong-type changes: changes must be a list of changes (is 1)"]
     );
+}
+
+#[wasm_bindgen_test]
+fn a_fan_chart_is_read_off_between_its_speeds() {
+    let chart = value(fan(&blade(), &js("({ modes: 2 })")));
+    let speed = number(&chart, "speeds_rad_s.50");
+    let there = value(at_speed(&chart, &speed.into()));
+    assert_eq!(Array::from(&there).length(), 6);
+    assert_eq!(text(&there, "0.label"), "1F");
+    assert!(
+        (number(&there, "0.frequency_rad_s") / number(&chart, "branches.0.frequency_rad_s.50") - 1.0).abs() < 1e-14
+    );
+    assert!(get(&value(at_speed(&chart, &0.0.into())), "0.per_rev").is_null());
+    let bad = js("({ speeds_rad_s: [0, 1, 2], branches: [{ label: 'first', frequency_rad_s: [1, 1, 1] }] })");
+    let expected = ["unknown-choice chart.branches[0].label: a label must be a number and F, L or T, like 1F"];
+    assert_eq!(faults(at_speed(&bad, &1.0.into())), expected);
+    assert_eq!(faults(at_speed(&chart, &js("-1"))), ["wrong-type speed: must be a number of at least 0"]);
 }

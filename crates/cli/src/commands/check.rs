@@ -47,7 +47,7 @@ fn table(summary: &BladeSummary) -> String {
     ]);
     for dof in &summary.dofs {
         table.row([
-            Cell::label(dof.dof.name(), Some(dof.dof)),
+            Cell::label(&dof.dof, Some(dof.dof)),
             Cell::text(dof.root),
             Cell::number(dof.offset_m, 5),
             Cell::maybe(dof.spring_n_m, 5),

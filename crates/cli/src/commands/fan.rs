@@ -10,6 +10,7 @@ use crate::{csv, drawing, input, json, progress};
 use bladefan_core::analysis::{self, Settings};
 use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::dof::Dof;
+use bladefan_core::label::Label;
 use bladefan_core::report::{ComparedPoint, FanChart};
 use bladefan_core::units::{hz, rpm};
 use core::fmt::Write as _;
@@ -84,7 +85,7 @@ fn table(chart: &FanChart, settings: &Settings, compared: Option<&[ComparedPoint
     text
 }
 
-fn dof(chart: &FanChart, label: &str) -> Option<Dof> {
+fn dof(chart: &FanChart, label: Label) -> Option<Dof> {
     chart.branches.iter().find(|branch| branch.label == label).map(|branch| branch.dof)
 }
 
@@ -169,7 +170,7 @@ fn near(chart: &FanChart, settings: &Settings) -> Table {
     ]);
     for at in chart.crossings.iter().filter(|at| in_band(chart, settings, at.speed_rad_s)) {
         table.row([
-            Cell::label(&at.label, dof(chart, &at.label)),
+            Cell::label(&at.label, dof(chart, at.label)),
             Cell::text(format!("{}P", at.harmonic)),
             Cell::number(rpm(at.speed_rad_s), 5),
             Cell::number(at.speed_rad_s, 5),
@@ -192,7 +193,7 @@ fn points(chart: &FanChart, compared: &[ComparedPoint]) -> Table {
     ]);
     for point in compared {
         table.row([
-            Cell::label(&point.label, dof(chart, &point.label)),
+            Cell::label(&point.label, dof(chart, point.label)),
             Cell::number(rpm(point.speed_rad_s), 4),
             Cell::number(point.frequency_rad_s, 5),
             Cell::maybe(point.computed_rad_s, 5),

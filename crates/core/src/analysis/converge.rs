@@ -1,12 +1,13 @@
 //! Frequency against the number of assumed functions.
 
 use super::basis::{Basis, Classical, converged, solve};
-use super::{Settings, available, label, none, note, unsolvable, warnings};
+use super::{Settings, available, note, unsolvable, warnings};
 use crate::blade::Blade;
 use crate::converged::{Converged, TOLERANCE};
 use crate::dof::Dof;
 use crate::fault::Faults;
 use crate::functions::MOST_ORDER;
+use crate::label::Label;
 use crate::modes::{Mode, SolveError};
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::sqrt;
@@ -22,7 +23,7 @@ use alloc::vec::Vec;
 /// # Errors
 /// Faults in the settings, or equations without an answer.
 pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Faults> {
-    none(settings.check_converge())?;
+    settings.check_converge()?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
     let mut report = ConvergeReport {
@@ -51,7 +52,7 @@ pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Fa
         let bounds = Basis::Piecewise(Box::new(found)).bounds(solved, &reference, square, &rules);
         note(&mut report.warnings, dof, error);
         report.series.extend(values.into_iter().enumerate().map(|(index, classical_rad_s)| ConvergeSeries {
-            label: label(dof, index + 1),
+            label: Label::new(dof, index + 1),
             dof,
             number: index + 1,
             classical_rad_s,

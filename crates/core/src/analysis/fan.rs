@@ -1,10 +1,11 @@
 //! Fan charts: frequencies over a range of rotor speeds.
 
 use super::basis::{Basis, solve};
-use super::{Settings, label, margin, none, note, unsolvable, warnings};
+use super::{Settings, margin, note, unsolvable, warnings};
 use crate::blade::Blade;
 use crate::fan::{Curves, meet_rays};
 use crate::fault::Faults;
+use crate::label::Label;
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::sqrt;
 use crate::report::{BasisReport, Branch, Coincidence, Crossing, FanChart, FunctionCounts, Nominal, Southwell};
@@ -17,7 +18,7 @@ use alloc::vec::Vec;
 /// # Errors
 /// Faults in the settings, or equations without an answer.
 pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
-    none(settings.check())?;
+    settings.check()?;
     let rules = GaussRules::new();
     let nominal = blade.nominal_speed();
     let range = settings.speeds_or(nominal);
@@ -45,7 +46,7 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
         let curves =
             Curves::fit(matrices, &at_rest, range.from * range.from, range.to * range.to).map_err(unsolvable)?;
         chart.branches.extend(at_rest.iter().enumerate().map(|(index, mode)| Branch {
-            label: label(dof, index + 1),
+            label: Label::new(dof, index + 1),
             dof,
             number: index + 1,
             frequency_rad_s: Vec::with_capacity(range.count),
@@ -60,17 +61,22 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
         }
         let rays = meet_rays(&curves, settings.harmonics);
         chart.crossings.extend(rays.crossings.iter().map(|crossing| Crossing {
-            label: label(dof, crossing.branch + 1),
+            label: Label::new(dof, crossing.branch + 1),
             harmonic: crossing.harmonic,
             speed_rad_s: crossing.speed,
             frequency_rad_s: crossing.frequency,
         }));
         chart.coincident.extend(
-            rays.coincident.iter().map(|&(branch, harmonic)| Coincidence { label: label(dof, branch + 1), harmonic }),
+            rays.coincident
+                .iter()
+                .map(|&(branch, harmonic)| Coincidence { label: Label::new(dof, branch + 1), harmonic }),
         );
         let at_nominal = solve(matrices, nominal, settings.modes)?;
         chart.nominal.margins.extend(
-            at_nominal.iter().enumerate().map(|(index, mode)| margin(label(dof, index + 1), mode.frequency / nominal)),
+            at_nominal
+                .iter()
+                .enumerate()
+                .map(|(index, mode)| margin(Label::new(dof, index + 1), mode.frequency / nominal)),
         );
     }
     Ok(chart)

@@ -1,6 +1,7 @@
 //! The facade: what the command line and the page call. It composes the other rooms and adds no
 //! formula of its own.
 
+mod at_speed;
 mod basis;
 mod compare;
 mod converge;
@@ -11,6 +12,7 @@ mod settings;
 mod shapes;
 mod summary;
 
+pub use at_speed::at_speed;
 pub use compare::compare;
 pub use converge::converge;
 pub use fan::fan;
@@ -23,18 +25,15 @@ pub use summary::summary;
 use crate::converged::TOLERANCE;
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode, Faults, Warning};
+use crate::label::Label;
 use crate::lagrange::SystemMatrices;
 use crate::modes::{Mode, SolveError, solve as solve_modes};
 use crate::numerics::eigen::EigenError;
 use crate::numerics::scalar::round;
 use crate::report::Margin;
 use alloc::format;
-use alloc::string::{String, ToString};
+use alloc::string::ToString;
 use alloc::vec::Vec;
-
-fn none(faults: Vec<Fault>) -> Result<(), Faults> {
-    Faults::from(faults).none()
-}
 
 /// As many modes as so few functions determine.
 fn available(matrices: &SystemMatrices, speed_squared: f64, count: usize) -> Result<Vec<Mode>, SolveError> {
@@ -60,12 +59,7 @@ fn note(warnings: &mut Vec<Warning>, dof: Dof, error: f64) {
     }
 }
 
-/// `1F`, `2L`, …
-fn label(dof: Dof, number: usize) -> String {
-    format!("{number}{}", dof.letter())
-}
-
-fn margin(label: String, per_rev: f64) -> Margin {
+fn margin(label: Label, per_rev: f64) -> Margin {
     let nearest = round(per_rev).max(1.0);
     // A frequency of more than 4 billion per revolution keeps the largest harmonic there is.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at least 1; the cast saturates")]

@@ -1,10 +1,11 @@
 //! Frequencies at one speed.
 
 use super::basis::{Basis, Classical, converged, solve};
-use super::{Settings, available, label, margin, none, note, unsolvable, warnings};
+use super::{Settings, available, margin, note, unsolvable, warnings};
 use crate::blade::Blade;
 use crate::fault::Faults;
 use crate::functions::BasisFamily;
+use crate::label::Label;
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::sqrt;
 use crate::report::{BasisReport, FunctionCounts, Margin, ModeReport, ModesReport};
@@ -19,7 +20,7 @@ use alloc::vec::Vec;
 /// # Errors
 /// Faults in the settings, or equations without an answer.
 pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Faults> {
-    none(settings.check())?;
+    settings.check()?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
     let square = speed * speed;
@@ -53,9 +54,9 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Faults> 
         note(&mut report.warnings, dof, error);
         for (index, (mode, interval)) in solved.iter().zip(&bounds.intervals).enumerate() {
             let per_rev = units::per_rev(mode.frequency, speed);
-            let margin = per_rev.map(|per_rev| margin(label(dof, index + 1), per_rev));
+            let margin = per_rev.map(|per_rev| margin(Label::new(dof, index + 1), per_rev));
             report.modes.push(ModeReport {
-                label: label(dof, index + 1),
+                label: Label::new(dof, index + 1),
                 dof,
                 number: index + 1,
                 frequency_rad_s: mode.frequency,
@@ -77,5 +78,5 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Faults> 
 
 /// How far each mode is from the nearest harmonic, as at nominal speed in a fan chart; nothing at rest.
 pub fn margins(report: &ModesReport) -> Vec<Margin> {
-    report.modes.iter().filter_map(|mode| Some(margin(mode.label.clone(), mode.per_rev?))).collect()
+    report.modes.iter().filter_map(|mode| Some(margin(mode.label, mode.per_rev?))).collect()
 }

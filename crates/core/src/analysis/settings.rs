@@ -1,7 +1,7 @@
 //! Options of every command, one plain struct: defaults, reading from text, checks.
 
 use crate::dof::Dof;
-use crate::fault::{Fault, FaultCode};
+use crate::fault::{Fault, FaultCode, Faults};
 use crate::functions::BasisFamily;
 use crate::units::parse_speed;
 use alloc::format;
@@ -40,6 +40,11 @@ impl SpeedRange {
 
 /// Most speeds a chart may have.
 const MOST_SPEEDS: usize = 100_000;
+/// Most frequencies of one degree of freedom in a chart: speeds times modes.
+const MOST_VALUES: usize = 1_000_000;
+/// Slowest and fastest speeds that are not rest [rad/s]; beyond, squares would not stay numbers.
+const LEAST_SPEED: f64 = 1e-9;
+const MOST_SPEED: f64 = 1e9;
 /// Most modes per degree of freedom.
 const MOST_MODES: usize = 50;
 /// Most assumed functions of the classical family.
@@ -105,8 +110,10 @@ impl Settings {
         match name {
             // The range is looked at here too: only here is the value in the user's unit.
             "speed" => match parse_speed(text) {
-                Some(speed) if in_range(speed) => self.speed = Some(speed),
-                Some(_) => return refuse(SPEED_RULE),
+                Some(speed) => match speed_rule(speed) {
+                    None => self.speed = Some(speed),
+                    Some(rule) => return refuse(rule),
+                },
                 None => return refuse("must be a speed like 69.1, 660rpm, 11Hz or 69.1rad/s"),
             },
             "speeds" => match parse_range(text) {
@@ -149,18 +156,24 @@ impl Settings {
         Ok(())
     }
 
+    /// Looks at every option.
+    ///
+    /// # Errors
     /// Every option that is outside its range.
-    pub fn check(&self) -> Vec<Fault> {
-        self.faults(self.basis == BasisFamily::Classical)
+    pub fn check(&self) -> Result<(), Faults> {
+        self.faults(self.basis == BasisFamily::Classical).none()
     }
 
     /// The same for a convergence study: the number of functions varies there, so
     /// [`functions`](Self::functions) does not limit the number of modes.
-    pub fn check_converge(&self) -> Vec<Fault> {
-        self.faults(false)
+    ///
+    /// # Errors
+    /// Every option that is outside its range.
+    pub fn check_converge(&self) -> Result<(), Faults> {
+        self.faults(false).none()
     }
 
-    fn faults(&self, functions_act: bool) -> Vec<Fault> {
+    fn faults(&self, functions_act: bool) -> Faults {
         let mut faults = Vec::new();
         let mut require = |holds: bool, name: &str, value: &dyn core::fmt::Display, rule: &str| {
             if !holds {
@@ -168,14 +181,20 @@ impl Settings {
             }
         };
         if let Some(speed) = self.speed {
-            require(in_range(speed), "speed", &speed, SPEED_RULE);
+            let broken = speed_rule(speed);
+            require(broken.is_none(), "speed", &speed, broken.unwrap_or_default());
         }
         if let Some(range) = self.speeds {
             let text = format!("{}:{}:{}", range.from, range.to, range.count);
             let ends = range.from >= 0.0 && range.from < range.to && range.to.is_finite();
             require(ends, "speeds", &text, "must have 0 <= FROM < TO, both finite");
+            let fast = !ends || (LEAST_SPEED..=MOST_SPEED).contains(&range.to);
+            require(fast, "speeds", &text, "must have a TO from 1e-9 to 1e9 rad/s");
             let count = (2..=MOST_SPEEDS).contains(&range.count);
             require(count, "speeds", &text, "must have a COUNT from 2 to 100000");
+            let modes = self.modes.clamp(1, MOST_MODES);
+            let most = format!("must have a COUNT of at most {} for {modes} modes", MOST_VALUES / modes);
+            require(!count || range.count <= MOST_VALUES / modes, "speeds", &text, &most);
         }
         require((1..=MOST_MODES).contains(&self.modes), "modes", &self.modes, "must be from 1 to 50");
         require((1..=MOST_FUNCTIONS).contains(&self.functions), "functions", &self.functions, "must be from 1 to 200");
@@ -190,7 +209,7 @@ impl Settings {
         require(band, "band", &text, "must have 0 <= FROM < TO, both finite");
         let distinct = Dof::ALL.iter().all(|dof| self.dofs.iter().filter(|other| *other == dof).count() <= 1);
         require(!self.dofs.is_empty() && distinct, "dof", &self.dofs.len(), "must be one or more, each once");
-        faults
+        faults.into()
     }
 
     /// The speed to solve at for a blade of this nominal speed.
@@ -211,9 +230,14 @@ impl Settings {
 
 /// What a rotor speed must be.
 const SPEED_RULE: &str = "must be finite and at least 0";
+const SIZE_RULE: &str = "must be 0 or from 1e-9 to 1e9 rad/s";
 
-fn in_range(speed: f64) -> bool {
-    speed.is_finite() && speed >= 0.0
+/// The rule that a speed breaks.
+fn speed_rule(speed: f64) -> Option<&'static str> {
+    if !speed.is_finite() || speed < 0.0 {
+        return Some(SPEED_RULE);
+    }
+    (speed > 0.0 && !(LEAST_SPEED..=MOST_SPEED).contains(&speed)).then_some(SIZE_RULE)
 }
 
 fn option_fault(name: &str, value: &str, rule: &str) -> Fault {
@@ -237,4 +261,54 @@ fn parse_band(text: &str) -> Option<(f64, f64)> {
 
 fn parse_dofs(text: &str) -> Option<Vec<Dof>> {
     text.split(',').map(|name| Dof::from_name(name.trim())).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::string::String;
+    use alloc::vec;
+
+    fn told(settings: &Settings) -> String {
+        settings.check().map_or_else(|faults| faults.to_string(), |()| String::new())
+    }
+
+    fn chart(from: f64, to: f64, count: usize, modes: usize) -> Settings {
+        Settings { speeds: Some(SpeedRange { from, to, count }), modes, ..Settings::default() }
+    }
+
+    #[test]
+    fn a_chart_has_a_limit_of_speeds_times_modes() {
+        assert_eq!(told(&chart(0.0, 1.0, 100_000, 10)), "");
+        assert_eq!(told(&chart(0.0, 1.0, 20_000, 50)), "");
+        let rule = "speeds: must have a COUNT of at most 20000 for 50 modes (is 0:1:20001)";
+        assert_eq!(told(&chart(0.0, 1.0, 20_001, 50)), rule);
+        assert_eq!(told(&chart(0.0, 1.0, 100_001, 5)), "speeds: must have a COUNT from 2 to 100000 (is 0:1:100001)");
+    }
+
+    #[test]
+    fn speeds_whose_squares_would_not_be_numbers_are_refused() {
+        let at = |speed: f64| told(&Settings { speed: Some(speed), ..Settings::default() });
+        assert_eq!((at(0.0), at(1e-9), at(1e9)), (String::new(), String::new(), String::new()));
+        for (speed, rule) in [(1e80, "1e9"), (1e-200, "1e-9")] {
+            assert!(
+                at(speed).starts_with("speed: must be 0 or from 1e-9 to 1e9 rad/s"),
+                "{speed} {rule}: {}",
+                at(speed)
+            );
+        }
+        assert_eq!(at(-1.0), "speed: must be finite and at least 0 (is -1)");
+        assert_eq!(told(&chart(0.0, 1e10, 3, 5)), "speeds: must have a TO from 1e-9 to 1e9 rad/s (is 0:10000000000:3)");
+        assert_eq!(told(&chart(2.0, 1.0, 3, 5)), "speeds: must have 0 <= FROM < TO, both finite (is 2:1:3)");
+        let fault = Settings::default().set("speed", "1e80").unwrap_err();
+        assert_eq!(fault.message, "must be 0 or from 1e-9 to 1e9 rad/s (is 1e80)");
+    }
+
+    #[test]
+    fn every_option_outside_its_range_is_told_at_once() {
+        let settings = Settings { modes: 0, points: 1, up_to: 201, dofs: vec![Dof::Flap; 2], ..Settings::default() };
+        let faults = settings.check().unwrap_err();
+        let names: Vec<&str> = faults.iter().map(|fault| fault.path.as_str()).collect();
+        assert_eq!(names, ["modes", "up_to", "points", "dof"]);
+    }
 }

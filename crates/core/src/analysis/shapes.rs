@@ -1,10 +1,11 @@
 //! Mode shapes along the span.
 
 use super::basis::{Basis, solve};
-use super::{Settings, ShapeScale, label, none, note, warnings};
+use super::{Settings, ShapeScale, note, warnings};
 use crate::blade::Blade;
 use crate::dof::Dof;
 use crate::fault::Faults;
+use crate::label::Label;
 use crate::lagrange::{tabulate, torsion_norm};
 use crate::modes;
 use crate::numerics::quadrature::GaussRules;
@@ -17,7 +18,7 @@ use alloc::vec::Vec;
 /// # Errors
 /// Faults in the settings, or equations without an answer.
 pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Faults> {
-    none(settings.check())?;
+    settings.check()?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
     let (inner, radius) = (blade.least_offset(), blade.radius());
@@ -50,11 +51,12 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Faults
         };
         let sampled = modes::shapes(&tables, &solved, speed * speed, norm.as_ref());
         report.shapes.extend(solved.iter().zip(sampled).enumerate().map(|(index, (mode, shape))| ShapeReport {
-            label: label(dof, index + 1),
+            label: Label::new(dof, index + 1),
             dof,
             number: index + 1,
             frequency_rad_s: mode.frequency,
             orthogonality: orthogonality[index],
+            nodes_m: modes::nodes(&radii, &shape.displacement),
             displacement: shape.displacement,
             slope: shape.slope,
             moment: shape.moment,

@@ -49,12 +49,12 @@ impl What {
     }
 
     /// How many SI units one unit of it is.
-    fn unit(self, units: &Units) -> f64 {
+    fn unit(self, units: Units) -> f64 {
         match self {
-            Self::Property(property) => property.unit(units),
-            Self::Offset(_) => LENGTH(units),
+            Self::Property(property) => property.unit(&units),
+            Self::Offset(_) => LENGTH(&units),
             Self::Spring(_) => units.spring(),
-            Self::NominalSpeed => SPEED(units),
+            Self::NominalSpeed => SPEED(&units),
         }
     }
 }
@@ -187,7 +187,7 @@ impl Change {
         let factors = Factors { from: own, to: blade };
         let length = |end: Option<f64>| end.map(|end| factors.number(end, LENGTH));
         Self {
-            amount: self.amount.converted(|number| factors.number(number, |units| self.what.unit(units))),
+            amount: self.amount.converted(|number| factors.number(number, |units| self.what.unit(*units))),
             stretch: Stretch { from: length(self.stretch.from), to: length(self.stretch.to) },
             units: None,
             ..self

@@ -188,7 +188,7 @@ fn whole_ticks(style: &Style, mut panel: Panel) -> Panel {
 fn draw_trace(sheet: &mut Sheet, style: &Style, panel: &Panel, trace: &Trace, values: &[(f64, f64)]) {
     let colour = style.palette.dof(trace.series.dof);
     let points: Vec<Point> = values.iter().filter_map(|&(count, value)| panel.point(count, value)).collect();
-    let (class, label) = (format!("series {}", trace.series.dof), text::clean(&trace.series.label));
+    let (class, label) = (format!("series {}", trace.series.dof), trace.series.label.to_string());
     let piecewise = trace.family == BasisFamily::Piecewise;
     let dash = if piecewise { dash_array(&FAMILY_DASHES, style.unit) } else { String::new() };
     let attributes = [("class", class.as_str()), ("data-label", &label), ("data-family", trace.family.name())];
@@ -231,7 +231,7 @@ fn draw_error_labels(sheet: &mut Sheet, style: &Style, panel: &Panel, traces: &[
             pen.line(&[(from, target), (panel.area.right, target)], style.palette.tone(colour, 0.35), 0.7 * style.unit);
         });
         ends.push(EndLabel {
-            text: text::clean(&trace.series.label),
+            text: trace.series.label.to_string(),
             from: panel.area.right,
             target,
             colour,
@@ -250,7 +250,7 @@ fn list_head(unit: FrequencyUnit) -> String {
 
 /// `2F 185.9`: the mode and its converged frequency.
 fn listed(series: &ConvergeSeries, unit: FrequencyUnit, speed: f64) -> (String, Dof) {
-    let label = text::clean(&series.label);
+    let label = series.label.to_string();
     let value = series.converged_rad_s.and_then(|value| unit.of(value, speed));
     let text = match value.filter(|value| value.is_finite()) {
         Some(value) => format!("{label} {}", text::significant(value, 4)),
@@ -303,7 +303,7 @@ fn draw_paper_mark(sheet: &mut Sheet, style: &Style, panels: &[Panel; 2]) {
 /// What the drawing cannot show.
 fn remarks(report: &ConvergeReport, traces: &[Trace]) -> Vec<String> {
     let labels = |without: fn(&ConvergeSeries) -> bool| {
-        let labels = report.series.iter().filter(|series| without(series)).map(|series| text::clean(&series.label));
+        let labels = report.series.iter().filter(|series| without(series)).map(|series| series.label.to_string());
         Some(labels.collect::<Vec<String>>().join(", ")).filter(|labels| !labels.is_empty())
     };
     let zero = labels(|series| series.converged_rad_s == Some(0.0)).map(|labels| format!("{labels}: frequency 0"));

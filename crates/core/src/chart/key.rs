@@ -7,6 +7,7 @@ use crate::VERSION;
 use crate::analysis::MODEL;
 use crate::dof::Dof;
 use crate::functions::BasisFamily;
+use crate::label::Label;
 use crate::report::BasisReport;
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -261,15 +262,15 @@ pub(super) fn draw_background(sheet: &mut Sheet, style: &Style) {
 }
 
 /// "2F–5F" for runs of numbers, "2F, 4F" for others; in the order given.
-pub(super) fn list_labels(branches: &[(Dof, usize)]) -> String {
+pub(super) fn list_labels(branches: &[Label]) -> String {
     let mut texts: Vec<String> = Vec::new();
     let mut at = 0;
-    while let Some(&(dof, first)) = branches.get(at) {
-        let run = branches[at..].iter().enumerate().take_while(|(step, next)| **next == (dof, first + step)).count();
-        let letter = dof.letter();
+    while let Some(&first) = branches.get(at) {
+        let following = |step: usize| Label::new(first.dof, first.number + step);
+        let run = branches[at..].iter().enumerate().take_while(|(step, next)| **next == following(*step)).count();
         texts.push(match run {
-            1 => format!("{first}{letter}"),
-            _ => format!("{first}{letter}–{}{letter}", first + run - 1),
+            1 => first.to_string(),
+            _ => format!("{first}–{}", following(run - 1)),
         });
         at += run.max(1);
     }

@@ -120,7 +120,7 @@ fn draw_panel(sheet: &mut Sheet, style: &Style, report: &ShapesReport, dof: Dof,
         .collect();
     // The first mode last, on top.
     for number in (0..shapes.len()).rev() {
-        let (class, label) = (format!("shape {dof}"), text::clean(&shapes[number].label));
+        let (class, label) = (format!("shape {dof}"), shapes[number].label.to_string());
         sheet.layer(&[("class", &class), ("data-label", &label)], &|pen| {
             pen.line(&thin(&lines[number]), tones[number], 1.8 * style.unit);
             for node in nodes(&lines[number], panel) {
@@ -140,7 +140,7 @@ fn draw_panel(sheet: &mut Sheet, style: &Style, report: &ShapesReport, dof: Dof,
         }));
     }
     for (number, (shape, line)) in shapes.iter().zip(&lines).enumerate() {
-        let label = text::clean(&shape.label);
+        let label = shape.label.to_string();
         let face = Face::new(style.tick(), tones[number], Anchor::Middle).bold();
         let size = (text::width(&label, face.size, true) + 4.0 * style.unit, 1.1 * face.size);
         // A label may stand on its own line.

@@ -6,6 +6,7 @@ use super::line::Area;
 use super::{ChartOptions, Drawing, FrequencyUnit, Theme, converge, fan, parse_frequencies, shapes, text};
 use crate::dof::Dof;
 use crate::functions::BasisFamily;
+use crate::label::Label;
 use crate::numerics::scalar::{sin_cos, sqrt};
 use crate::report::{
     BasisReport, Branch, Coincidence, ConvergeReport, ConvergeSeries, Crossing, FanChart, FunctionCounts,
@@ -36,10 +37,6 @@ fn basis() -> BasisReport {
     BasisReport { family: BasisFamily::Classical, functions }
 }
 
-fn label(dof: Dof, number: usize) -> String {
-    format!("{number}{}", dof.letter())
-}
-
 fn numbered<T: Copy>(list: &[(Dof, T, T)]) -> Vec<(Dof, usize, T, T)> {
     let number = |at: usize| list[..=at].iter().filter(|entry| entry.0 == list[at].0).count();
     list.iter().enumerate().map(|(at, &(dof, a, b))| (dof, number(at), a, b)).collect()
@@ -54,7 +51,7 @@ fn chart(branches: &[(Dof, f64, f64)], speeds: usize, harmonics: u32) -> FanChar
             let k1 = (turning * turning - rest * rest) / (nominal * nominal);
             let frequency_rad_s = speeds.iter().map(|speed| sqrt(rest * rest + k1 * speed * speed)).collect();
             let southwell = Southwell { k0: rest * rest, k1 };
-            Branch { label: label(dof, number), dof, number, frequency_rad_s, southwell }
+            Branch { label: Label::new(dof, number), dof, number, frequency_rad_s, southwell }
         })
         .collect();
     let crossings = branches
@@ -65,7 +62,7 @@ fn chart(branches: &[(Dof, f64, f64)], speeds: usize, harmonics: u32) -> FanChar
             let speed_rad_s = sqrt(branch.southwell.k0 / below.max(1e-9));
             let frequency_rad_s = f64::from(harmonic) * speed_rad_s;
             let met = speed_rad_s > 0.0 && speed_rad_s < 1.2 * nominal;
-            met.then(|| Crossing { label: branch.label.clone(), harmonic, speed_rad_s, frequency_rad_s })
+            met.then_some(Crossing { label: branch.label, harmonic, speed_rad_s, frequency_rad_s })
         })
         .collect();
     FanChart {
@@ -77,7 +74,7 @@ fn chart(branches: &[(Dof, f64, f64)], speeds: usize, harmonics: u32) -> FanChar
         speeds_rad_s: speeds,
         branches,
         crossings,
-        coincident: vec![Coincidence { label: "1F".to_string(), harmonic: 1 }],
+        coincident: vec![Coincidence { label: Label::new(Dof::Flap, 1), harmonic: 1 }],
         nominal: Nominal { speed_rad_s: nominal, margins: Vec::new() },
         warnings: Vec::new(),
     }
@@ -98,11 +95,12 @@ fn shape_report(modes: usize) -> ShapesReport {
         let displacement = (0..=100).map(|at| sign * wave(at)).collect();
         let (slope, moment) = (Vec::new(), Vec::new());
         ShapeReport {
-            label: label(dof, number),
+            label: Label::new(dof, number),
             dof,
             number,
             frequency_rad_s: 1.0,
             orthogonality: 0.0,
+            nodes_m: Vec::new(),
             displacement,
             slope,
             moment,
@@ -132,7 +130,7 @@ fn converge_report(known: bool) -> ConvergeReport {
             let piecewise_functions = vec![17, 33, 50, 66, 83, 99];
             let values = (1..=6).map(|order: i32| Some(turning * (1.0 + 0.1 / 100_f64.powi(order))));
             ConvergeSeries {
-                label: label(dof, number),
+                label: Label::new(dof, number),
                 dof,
                 number,
                 classical_rad_s,
@@ -156,7 +154,7 @@ fn converge_report(known: bool) -> ConvergeReport {
 
 fn measured() -> Vec<MeasuredPoint> {
     let point = |label: &str, source: &str, frequency_rad_s: f64| MeasuredPoint {
-        label: label.to_string(),
+        label: label.parse().unwrap(),
         speed_rad_s: 69.1,
         frequency_rad_s,
         source: source.to_string(),
@@ -165,7 +163,7 @@ fn measured() -> Vec<MeasuredPoint> {
         point("2F", "test", 180.0),
         point("1T", "test", 600.0),
         point("2F", "MBDyn", 185.7),
-        point("9Z", "test", 400.0),
+        point("9T", "test", 400.0),
     ]
 }
 
@@ -289,7 +287,11 @@ fn axes_lie_where_the_drawing_says() {
     let document = Document::parse(&drawing.svg).unwrap();
     let circles = document.descendants().filter(|node| node.attribute("data-crossing") == Some("3F × 5P"));
     let circle = circles.flat_map(|node| node.children()).find(|node| node.has_tag_name("circle")).unwrap();
-    let crossing = chart.crossings.iter().find(|crossing| crossing.label == "3F" && crossing.harmonic == 5).unwrap();
+    let crossing = chart
+        .crossings
+        .iter()
+        .find(|crossing| crossing.label == Label::new(Dof::Flap, 3) && crossing.harmonic == 5)
+        .unwrap();
     let x = plot.left + plot.width * (crossing.speed_rad_s - plot.x.from) / (plot.x.to - plot.x.from);
     let y = plot.top + plot.height * (1.0 - crossing.frequency_rad_s / plot.y.to);
     assert!((number(&circle, "cx") / 10.0 - x).abs() < 0.06, "{x}");
@@ -462,7 +464,12 @@ fn what_is_not_a_number_is_not_drawn() {
         branch.frequency_rad_s[60] = f64::INFINITY;
         branch.frequency_rad_s[61] = 1e300;
     }
-    chart.crossings.push(Crossing { label: "1F".into(), harmonic: 1, speed_rad_s: 69.0, frequency_rad_s: f64::NAN });
+    chart.crossings.push(Crossing {
+        label: Label::new(Dof::Flap, 1),
+        harmonic: 1,
+        speed_rad_s: 69.0,
+        frequency_rad_s: f64::NAN,
+    });
     check(&fan(&chart, &ChartOptions::default()), "not finite");
     chart.speeds_rad_s.fill(f64::NAN);
     chart.nominal.speed_rad_s = f64::NAN;
@@ -484,8 +491,7 @@ fn what_is_not_a_number_is_not_drawn() {
 fn hostile_names_stay_inside_their_text() {
     let mut chart = chart(&BRANCHES, 11, 10);
     chart.blade = "</text><script>alert(1)</script> & \u{0}\u{202E}\u{FFFF}]]>".repeat(30);
-    chart.branches[0].label = "<x>\"'&".to_string();
-    let points = [MeasuredPoint { source: "<a&b>\u{1}".repeat(50), label: "\"".into(), ..measured()[0].clone() }];
+    let points = [MeasuredPoint { source: "<a&b>\u{1}\"'".repeat(50), ..measured()[0].clone() }];
     let drawing = fan(&chart, &ChartOptions { measured: &points, ..Default::default() });
     check(&drawing, "hostile");
     assert!(!drawing.svg.contains("<script"), "markup of a name came through");

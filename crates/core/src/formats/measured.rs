@@ -3,8 +3,8 @@
 use super::BYTE_ORDER_MARK;
 use super::place::{Placed, in_order};
 use crate::blade::shortest;
-use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode, Faults};
+use crate::label::{Label, NotALabel};
 use crate::report::MeasuredPoint;
 use crate::units::SpeedUnit;
 use alloc::format;
@@ -142,15 +142,15 @@ impl Row<'_, '_> {
         }
         let [label, speed, frequency, source] = columns.place;
         let text = |field: usize| record.get(field).unwrap_or_default();
-        let sound = is_label(text(label));
-        if !sound {
-            let rule = "label must be a number and F, L or T, like 1F";
-            self.refuse(label, FaultCode::UnknownChoice, path("label"), Some(text(label)), rule);
+        let found = text(label).parse::<Label>();
+        if found.is_err() {
+            let rule = format!("label {}", NotALabel::RULE);
+            self.refuse(label, FaultCode::UnknownChoice, path("label"), Some(text(label)), &rule);
         }
         let speed_rad_s = self.number(speed, path("speed"), text(speed), columns.speed);
         let frequency_rad_s = self.number(frequency, path("frequency"), text(frequency), columns.frequency);
         Some(MeasuredPoint {
-            label: sound.then(|| text(label).to_string())?,
+            label: found.ok()?,
             speed_rad_s: speed_rad_s?,
             frequency_rad_s: frequency_rad_s?,
             source: text(source).to_string(),
@@ -172,12 +172,6 @@ impl Row<'_, '_> {
         }
         None
     }
-}
-
-/// `1F`, `12L`, `3T`: a number from 1 without leading zeros, and a degree of freedom.
-fn is_label(label: &str) -> bool {
-    let Some(digits) = Dof::ALL.into_iter().find_map(|dof| label.strip_suffix(dof.letter())) else { return false };
-    !digits.starts_with('0') && digits.parse::<u16>().is_ok_and(|number| number > 0) && !digits.starts_with('+')
 }
 
 /// The byte at which a field of the row at `at` begins, blanks skipped. A field may be quoted; a

@@ -1,7 +1,9 @@
 //! Modes at one speed: frequencies, mode shapes.
 
+mod nodes;
 mod shapes;
 mod solve;
 
+pub use nodes::nodes;
 pub use shapes::{Shape, orthogonality, shapes};
 pub use solve::{Mode, SolveError, eigenvalues, solve};

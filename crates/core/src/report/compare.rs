@@ -1,12 +1,13 @@
 //! Measured points beside computed ones.
 
+use crate::label::Label;
 use alloc::string::String;
 
 report! {
     /// A measured frequency, or one of another program.
     MeasuredPoint {
         /// Branch it belongs to, `1F`, …
-        label: String,
+        label: Label,
         /// Rotor speed.
         speed_rad_s: f64,
         /// Frequency.
@@ -19,7 +20,7 @@ report! {
     /// A measured point and what the solver gives at its rotor speed.
     ComparedPoint {
         /// Branch it belongs to, `1F`, …
-        label: String,
+        label: Label,
         /// Rotor speed.
         speed_rad_s: f64,
         /// Measured frequency.

@@ -2,6 +2,7 @@
 
 use crate::dof::Dof;
 use crate::fault::Warning;
+use crate::label::Label;
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -9,7 +10,7 @@ report! {
     /// One mode against the number of assumed functions.
     ConvergeSeries {
         /// `1F`, …
-        label: String,
+        label: Label,
         /// Degree of freedom.
         dof: Dof,
         /// Number within the degree of freedom.

@@ -4,6 +4,7 @@ use super::BasisReport;
 use super::Margin;
 use crate::dof::Dof;
 use crate::fault::Warning;
+use crate::label::Label;
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -21,7 +22,7 @@ report! {
     /// One mode over all speeds.
     Branch {
         /// `1F`, …
-        label: String,
+        label: Label,
         /// Degree of freedom.
         dof: Dof,
         /// Number within the degree of freedom.
@@ -36,7 +37,7 @@ report! {
     /// Where a branch meets an nP ray.
     Crossing {
         /// Branch.
-        label: String,
+        label: Label,
         /// n of the ray ω = nΩ.
         harmonic: u32,
         /// Rotor speed there, greater than 0.
@@ -49,7 +50,7 @@ report! {
     /// A branch that lies on an nP ray at every speed.
     Coincidence {
         /// Branch.
-        label: String,
+        label: Label,
         /// n of the ray.
         harmonic: u32,
     }
@@ -88,5 +89,21 @@ report! {
         nominal: Nominal,
         /// Warnings of the blade.
         warnings: Vec<Warning>,
+    }
+}
+report! {
+    /// One branch at one speed of a chart.
+    #[derive(Copy)]
+    ModeAtSpeed {
+        /// Branch.
+        label: Label,
+        /// Frequency.
+        frequency_rad_s: f64,
+        /// The same per revolution; `None` at rest.
+        per_rev: Option<f64>,
+        /// Integer nearest to `per_rev`, at least 1; `None` at rest.
+        nearest_harmonic: Option<u32>,
+        /// `per_rev` less `nearest_harmonic`; `None` at rest.
+        margin_per_rev: Option<f64>,
     }
 }

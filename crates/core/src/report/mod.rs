@@ -22,7 +22,7 @@ mod summary;
 pub use basis::{BasisReport, FunctionCounts};
 pub use compare::{ComparedPoint, MeasuredPoint};
 pub use converge::{ConvergeReport, ConvergeSeries};
-pub use fan::{Branch, Coincidence, Crossing, FanChart, Nominal, Southwell};
+pub use fan::{Branch, Coincidence, Crossing, FanChart, ModeAtSpeed, Nominal, Southwell};
 pub use modes::{Margin, ModeReport, ModesReport};
 pub use shapes::{ShapeReport, ShapesReport};
 pub use summary::{BladeSummary, DofSummary};

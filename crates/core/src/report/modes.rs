@@ -3,6 +3,7 @@
 use super::BasisReport;
 use crate::dof::Dof;
 use crate::fault::Warning;
+use crate::label::Label;
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -10,7 +11,7 @@ report! {
     /// One mode at one speed.
     ModeReport {
         /// `1F`, `2F`, `1L`, `1T`, …
-        label: String,
+        label: Label,
         /// Degree of freedom.
         dof: Dof,
         /// Number within the degree of freedom, from 1, by ascending frequency.
@@ -64,7 +65,7 @@ report! {
     /// How far a mode is from the nearest harmonic.
     Margin {
         /// Branch.
-        label: String,
+        label: Label,
         /// Frequency per revolution.
         per_rev: f64,
         /// Nearest integer, at least 1.

@@ -3,6 +3,7 @@
 use super::BasisReport;
 use crate::dof::Dof;
 use crate::fault::Warning;
+use crate::label::Label;
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -10,7 +11,7 @@ report! {
     /// One mode shape.
     ShapeReport {
         /// `1F`, …
-        label: String,
+        label: Label,
         /// Degree of freedom.
         dof: Dof,
         /// Number within the degree of freedom.
@@ -20,6 +21,8 @@ report! {
         /// How far from orthogonal to the other shapes listed of its degree of freedom: the largest
         /// |∫ m X_i X_j dr| / √(∫ m X_i² dr ∫ m X_j² dr), in torsion with ρI_p for m (Eq. 84–85); 0 for one shape.
         orthogonality: f64,
+        /// Radii where the displacement passes through zero between root and tip [m], ascending.
+        nodes_m: Vec<f64>,
         /// Displacement (bending) or twist (torsion) at each radius, tip positive; 0 inboard of the root.
         displacement: Vec<f64>,
         /// Slope [1/m] per metre or radian of displacement.

@@ -10,6 +10,7 @@ use super::crossings::draw_haloed;
 use super::units::Units;
 use crate::numerics::scalar::sqrt;
 use crate::report::{Branch, FanChart};
+use alloc::string::ToString;
 use alloc::vec::Vec;
 
 /// Per revolution a branch is drawn with about so many points, however few speeds there are.
@@ -76,7 +77,7 @@ fn between(from: (f64, f64), to: (f64, f64), steps: usize) -> impl Iterator<Item
 pub(super) fn draw(sheet: &mut Sheet, style: &Style, curve: &Curve) {
     let branch = curve.branch;
     let dash = dash_array(dashes(branch.dof), style.unit);
-    let (class, label) = (alloc::format!("branch {}", branch.dof), text::clean(&branch.label));
+    let (class, label) = (alloc::format!("branch {}", branch.dof), branch.label.to_string());
     let attributes = [("class", class.as_str()), ("data-label", label.as_str()), ("stroke-dasharray", dash.as_str())];
     sheet.layer(&attributes, &|pen| {
         for part in &curve.parts {
@@ -96,7 +97,7 @@ pub(super) fn end_of(curve: &Curve, style: &Style, area: &Area) -> Option<End> {
         _ => 60,
     };
     let label = EndLabel {
-        text: text::clean(&curve.branch.label),
+        text: curve.branch.label.to_string(),
         from: at.0,
         target: at.1,
         colour: style.palette.dof(curve.branch.dof),

@@ -9,7 +9,7 @@ use super::super::text;
 use super::units::Units;
 use crate::report::{Crossing, FanChart};
 use alloc::format;
-use alloc::string::String;
+use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use plotters::style::RGBColor;
 
@@ -35,7 +35,7 @@ pub(super) fn in_band(chart: &FanChart, band: (f64, f64)) -> impl Iterator<Item 
 pub(super) fn marks(chart: &FanChart, band: (f64, f64), panel: &Panel, units: Units) -> Vec<Mark> {
     let mark = |crossing: &Crossing| {
         let at = units.point(panel, crossing.speed_rad_s, crossing.frequency_rad_s)?;
-        let label = text::clean(&crossing.label);
+        let label = crossing.label.to_string();
         panel.area.holds_point(at).then(|| Mark { at, name: format!("{label} × {}P", crossing.harmonic), label })
     };
     in_band(chart, band).filter_map(mark).collect()

@@ -8,7 +8,7 @@ use super::super::sheet::{Point, Sheet};
 use super::super::text;
 use super::units::Units;
 use crate::report::{FanChart, MeasuredPoint};
-use alloc::string::String;
+use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use plotters::style::RGBColor;
 
@@ -37,7 +37,7 @@ impl Measured {
             let branch = chart.branches.iter().find(|branch| branch.label == point.label);
             // A point of a branch that is not in the chart is in no branch's colour.
             let colour = branch.map_or(style.palette.nominal, |branch| style.palette.dof(branch.dof));
-            measured.points.push((at, source, colour, text::clean(&point.label)));
+            measured.points.push((at, source, colour, point.label.to_string()));
         }
         measured
     }

@@ -17,6 +17,7 @@ use super::scale::Scale;
 use super::sheet::{Anchor, Face, Point, Sheet};
 use super::{ChartOptions, Drawing, text};
 use crate::dof::Dof;
+use crate::label::Label;
 use crate::report::FanChart;
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -42,7 +43,7 @@ pub fn fan(chart: &FanChart, options: &ChartOptions) -> Drawing {
     let held = options.held_height(style.width);
     let shares = held.map_or([0.45, 0.62], |height| panel::shares_of(height / style.width));
     let left = 0.7 * style.margin() + panel::name_beside(&style) + panel::y_tick_room(&style, &y, shares);
-    let longest = chart.branches.iter().map(|branch| text::width(&text::clean(&branch.label), style.tick(), true));
+    let longest = chart.branches.iter().map(|branch| text::width(&branch.label.to_string(), style.tick(), true));
     let rays_room = text::width("100P", style.small(), false);
     let right = style.width - 0.6 * style.margin() - panel::leader_length(&style) - longest.fold(rays_room, f64::max);
     let head = Head::new(&style, &name, entries(chart, options, &range, units), left);
@@ -171,7 +172,7 @@ fn draw_nominal(
 fn remarks(chart: &FanChart, curves: &[Curve], measured: &Measured, range: &Range, units: Units) -> Vec<String> {
     let mut remarks = Vec::new();
     for coincidence in &chart.coincident {
-        remarks.push(format!("{} lies on {}P", text::clean(&coincidence.label), coincidence.harmonic));
+        remarks.push(format!("{} lies on {}P", coincidence.label, coincidence.harmonic));
     }
     let under = |curve: &Curve| {
         let mut points = chart.speeds_rad_s.iter().zip(&curve.branch.frequency_rad_s);
@@ -179,7 +180,7 @@ fn remarks(chart: &FanChart, curves: &[Curve], measured: &Measured, range: &Rang
     };
     for (place, below) in [("above", false), ("below", true)] {
         let hidden = curves.iter().filter(|curve| curve.parts.is_empty() && under(curve) == below);
-        let hidden: Vec<(Dof, usize)> = hidden.map(|curve| (curve.branch.dof, curve.branch.number)).collect();
+        let hidden: Vec<Label> = hidden.map(|curve| curve.branch.label).collect();
         if !hidden.is_empty() {
             remarks.push(format!("{place} the chart: {}", list_labels(&hidden)));
         }
