@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { drawn, frequencies, open, pageTest } from "./support.mjs";
+import { drawn, frequencies, open, pageTest, paste } from "./support.mjs";
 
 pageTest("the first chart, the table and the sliders need the small module alone", {}, async (page) => {
   let release;
@@ -65,9 +65,13 @@ pageTest("a whole module that does not come is said, and asked for again", {}, a
 });
 
 pageTest("what is opened while a file is being read stays, and keeps its name", {}, async (page) => {
-  // An own blade is kept, then brought back over a connection on which the whole module takes its time.
-  await page.locator("#what-if-factors-mass").fill("0.2");
-  await page.waitForFunction(() => Object.keys(localStorage).some((key) => localStorage.getItem(key).includes("packed")));
+  // An own blade is kept as its text, then brought back over a connection on which the whole module takes its time.
+  await page.locator("#tab-text").click();
+  await page.waitForFunction(() => document.getElementById("blade-text").value.includes("TM 4760"));
+  await paste(page, `# mine\n${await page.locator("#blade-text").inputValue()}`);
+  await page.waitForFunction(() => Object.keys(localStorage).some((key) => localStorage.getItem(key).includes("# mine")));
+  await page.locator("#tab-fan").click();
+  await page.waitForTimeout(600);
   const kept = () => page.evaluate(() => JSON.stringify(Object.entries(localStorage)));
   let release;
   const held = new Promise((resolve) => (release = resolve));
@@ -86,7 +90,7 @@ pageTest("what is opened while a file is being read stays, and keeps its name", 
   // A change of the other blade does not take the place of the kept one.
   await page.locator("#what-if-factors-mass").fill("0.3");
   await page.waitForFunction((old) => JSON.stringify(Object.entries(localStorage)) !== old, before);
-  assert.equal(await page.evaluate(() => Object.values(localStorage).map((text) => JSON.parse(text)).flat().filter((entry) => entry?.packed).length), 2);
+  assert.equal(await page.evaluate(() => Object.values(localStorage).map((text) => JSON.parse(text)).flat().filter((entry) => entry?.content).length), 2);
 });
 
 test("a library that does not come is said", async () => {

@@ -177,11 +177,17 @@ pageTest("a kept blade that is broken does no harm, and is set aside", {}, async
   }
   assert.ok(await page.evaluate(() => localStorage.getItem("bladefan-blades-unread").includes("1e+300")));
   // A good one beside a broken one is still there.
+  await page.waitForTimeout(800);
   const good = { id: "g", name: "good one", time: 5, content: { blade: UNIFORM, choice: "", view: {} } };
   await page.evaluate((list) => localStorage.setItem("bladefan-blades", list), JSON.stringify([{ ...good, id: "bad", time: 1e300 }, good]));
   await again(page);
   await page.locator("#message", { hasText: /set aside.*Your blade is back/ }).waitFor();
   assert.match(await page.title(), /^uniform, sent/);
+  // What another page put there meanwhile is not lost with the next edit.
+  await page.evaluate(() => localStorage.setItem("bladefan-blades", "of another time"));
+  await page.locator('[data-path="name"]').fill("edited");
+  await page.waitForFunction(() => localStorage.getItem("bladefan-blades").includes("edited"));
+  assert.ok(await page.evaluate(() => localStorage.getItem("bladefan-blades-unread").includes("of another time")));
   await page.locator("#download summary").click();
   await page.locator("#forget").click();
   assert.equal(await page.evaluate(() => localStorage.length), 0);

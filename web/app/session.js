@@ -22,7 +22,7 @@ export function startSession(store, open, say, onKept) {
   let waiting = null;
   let before = store.get();
   let warned = false;
-  let bringing = false;
+  let bringing = null; // the blade that is on its way back
   const choice = at("blade-choice");
 
   function list() {
@@ -38,7 +38,12 @@ export function startSession(store, open, say, onKept) {
   function keep(state) {
     clearTimeout(waiting);
     waiting = null;
-    if (bringing || !isOwn(state)) return;
+    if (!isOwn(state)) return;
+    // Half of it does not take the place of the whole.
+    if (bringing !== null && state.keptAs === bringing) {
+      waiting = setTimeout(() => keep(store.get()), WAIT_MS);
+      return;
+    }
     const content = contentOf(state);
     const plain = JSON.stringify(content);
     if (plain !== written) {
@@ -60,17 +65,17 @@ export function startSession(store, open, say, onKept) {
   }
 
   async function bring(entry) {
-    bringing = true;
+    bringing = entry.id;
     try {
       const content = entry.content ? checked(entry.content) : await unpack(entry.packed);
-      return await open.back({ ...content, choice: OWN, view: { ...content.view, keptAs: entry.id } });
+      return await open.back({ ...content, view: { ...content.view, keptAs: entry.id } });
     } catch {
       setOneAside(entry.id);
       list();
       say("The kept blade cannot be read any more. It is set aside.");
       return false;
     } finally {
-      bringing = false;
+      bringing = null;
     }
   }
 

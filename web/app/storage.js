@@ -56,8 +56,8 @@ function sorted() {
 /** The kept blades, the newest first: {id, name, time, content}, or `packed` as older pages kept them. */
 export const kept = () => sorted().entries.slice(0, MOST);
 
-/** Keeps these; where there is no room the oldest go first. False where not even the newest is kept. */
-export function keepAll(entries) {
+/** Writes these; where there is no room the oldest go first. False where not even the newest is written. */
+function write(entries) {
   for (let count = Math.min(MOST, entries.length); count > 0; count--) {
     if (put(KEY, JSON.stringify(entries.slice(0, count)))) return true;
   }
@@ -68,13 +68,20 @@ function aside(texts) {
   put(ASIDE, `${texts.join("\n")}\n${raw(ASIDE) ?? ""}`.slice(0, LONGEST_ASIDE));
 }
 
+/** Keeps these in place of those that can be read; the others, be they of another page, are set aside. */
+export function keepAll(entries) {
+  const { rest } = sorted();
+  if (rest.length > 0) aside(rest);
+  return write(entries);
+}
+
 /** Takes what cannot be read out of the list; says how many that were. */
 export function setAside() {
   const { entries, rest } = sorted();
   if (rest.length === 0) return 0;
   aside(rest);
   if (entries.length === 0) drop(KEY);
-  else keepAll(entries);
+  else write(entries);
   return rest.length;
 }
 
@@ -84,7 +91,7 @@ export function setOneAside(id) {
   aside(entries.filter((entry) => entry.id === id).map((entry) => JSON.stringify(entry)));
   const others = entries.filter((entry) => entry.id !== id);
   if (others.length === 0) drop(KEY);
-  else keepAll(others);
+  else write(others);
 }
 
 /** Forgets everything; says how many blades that were. */

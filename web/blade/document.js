@@ -37,8 +37,8 @@ export function createDocument(store) {
   let which = 0; // the blade that is edited, of those opened
 
   const now = () => {
-    const { doc, text, choice, draft, textFaults } = store.get();
-    return { entry: { doc, text, choice, draft, textFaults }, which };
+    const { doc, text, choice, draft, textFaults, keptAs } = store.get();
+    return { entry: { doc, text, choice, draft, textFaults, keptAs }, which };
   };
   // A text that was no blade is gone with the next one.
   const show = (entry, more = {}) => store.set({ draft: null, textFaults: [], ...entry, ...more, canUndo: past.length > 0, canRedo: future.length > 0 });

@@ -5,7 +5,7 @@ import { boundsWords, fieldNumber, figures, marginWords, paperWords, perRevWords
 import { shownSpeed } from "../lib/speed-words.js";
 import { optionsOf } from "../solver/keep-up.js";
 import { STAGE, camera, chordAt, hubPaths, platePaths } from "./plate.js";
-import { largest, nodeWords, nodesOf, pace } from "./shape.js";
+import { largest, nodeWords, pace } from "./shape.js";
 
 const POINTS = 121;
 /** The plate is drawn from every so many points. */
@@ -164,7 +164,7 @@ export function startMotion(store, client) {
     const project = camera(shown, dof);
     const even = !relative.checked;
     stage = { dof, at: coarse(ratio), shape: coarse(unit), project, pace: pace({ frequency: mode.frequency_rad_s, speed: state.modes.speed_rad_s, nominal: state.fan?.nominal.speed_rad_s ?? 0 }, even) };
-    const nodes = nodesOf(ratio, shape.displacement);
+    const nodes = shape.nodes_m.map((r) => r / radius);
     host.dataset.dof = dof;
     host.dataset.view = shown;
     for (const [name, d] of Object.entries(hubPaths(ratio[0], project))) paths[name].setAttribute("d", d);
