@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { setAt, valueAt } from "../../web/blade/document.js";
 import { fieldValue } from "../../web/lib/format.js";
-import { NEUTRAL, points, scaled } from "../../web/lib/scale.js";
+import { NEUTRAL, changesOf, lengthsOf, withLengths } from "../../web/lib/what-if.js";
 import { call, frequencies, pageTest, paste } from "./support.mjs";
 
 const field = (page, path) => page.locator(`[data-path="${path}"]`);
@@ -27,15 +27,19 @@ test("paths lead to values, and values are read as they are typed", () => {
   assert.deepEqual(["12", " 1,5 ", "0,125", "1,234", "−3e2", "1 000", "", "abc", "1e999"].map(fieldValue), [12, 1.5, 0.125, "1,234", -300, 1000, undefined, "abc", "1e999"]);
 });
 
-test("a part of the span is scaled with a step at either end", () => {
-  const doc = { rotor: { radius: 10 }, distribution: { r: [0, 5, 5, 10], mass: [2, 2, 1, 3], flap_stiffness: 7 } };
-  const whatIf = { ...NEUTRAL, factors: { ...NEUTRAL.factors, mass: 2, flap_stiffness: 3 }, from: 5, to: 7.5 };
-  const { distribution } = scaled(doc, whatIf);
-  assert.deepEqual(distribution.mass, { r: [0, 5, 7.5, 7.5, 10], values: [2, 2, 4, 2, 3] });
-  assert.deepEqual(distribution.flap_stiffness, { r: [0, 5, 5, 7.5, 7.5, 10], values: [7, 7, 21, 21, 7, 7] });
-  assert.deepEqual(scaled(doc, { ...whatIf, from: null, to: null }).distribution.mass, [4, 4, 2, 6]);
-  assert.equal(scaled(doc, NEUTRAL), doc);
-  assert.deepEqual(points(doc, "flap_stiffness"), { r: [0, 10], values: [7, 7] });
+test("what-if is a list of changes with the unit of their lengths", () => {
+  const whatIf = { ...NEUTRAL, factors: { ...NEUTRAL.factors, mass: 2 }, from: 5, to: 7.5, offsets: { flap: 4 }, springs: { lag: 1, flap: 3 }, length: "in" };
+  const units = { length: "in" };
+  assert.deepEqual(changesOf(whatIf), [
+    { what: "distribution.mass", scale: 2, from: 5, to: 7.5, units },
+    { what: "flap.offset", set: 4, units },
+    { what: "flap.spring", scale: 3 },
+  ]);
+  assert.deepEqual(changesOf(NEUTRAL), []);
+  assert.deepEqual(lengthsOf(whatIf), [5, 7.5, 4]);
+  const other = withLengths(whatIf, [127, 190.5, 101.6], "mm");
+  assert.deepEqual([other.from, other.to, other.offsets, other.length, other.factors], [127, 190.5, { flap: 101.6 }, "mm", whatIf.factors]);
+  assert.deepEqual(withLengths({ ...whatIf, from: null }, [7, 4], "m"), { ...whatIf, from: null, to: 7, offsets: { flap: 4 }, length: "m" });
 });
 
 pageTest("a number in the form is solved, undone and redone", {}, async (page) => {
@@ -118,6 +122,89 @@ pageTest("what-if sliders move the chart beside the blade as it is, and are kept
   assert.ok((await changed(page, "2F", before["2F"])) !== before["2F"]);
   assert.equal(await page.locator("#solve-faults li, #blade-faults li").count(), 0);
 });
+
+pageTest("mass scaled by what-if takes the polar inertia along, and the page says so", {}, async (page) => {
+  const before = await frequencies(page);
+  await page.locator("#what-if .slider", { hasText: "Mass and polar inertia" }).locator('input[type="range"]').fill("2");
+  const heavy = await changed(page, "1T", before["1T"]);
+  const { value } = await call(page, "built_in_blades");
+  const blade = (await call(page, "parse_blade", value.find(({ name }) => name === "tm4760").toml)).value;
+  const four = ({ r, values }) => ({ r, values: values.map((one) => 4 * one) });
+  const { mass, polar_inertia: inertia } = blade.distribution;
+  const times = (given) => (Array.isArray(given) ? given.map((one) => 4 * one) : typeof given === "number" ? 4 * given : four(given));
+  const expected = await call(page, "modes", { ...blade, distribution: { ...blade.distribution, mass: times(mass), polar_inertia: times(inertia) } });
+  assert.equal(heavy, expected.value.modes.find(({ label }) => label === "1T").frequency_rad_s);
+});
+
+pageTest("what-if keeps its lengths when the units are switched, there and back", {}, async (page) => {
+  const before = await frequencies(page);
+  const offset = page.locator('[data-key="offsets.flap"] input[type="text"]');
+  await page.locator("#what-if-from").selectOption("28.25");
+  await page.locator("#what-if-factors-flap_stiffness").fill("1");
+  await changed(page, "1F", before["1F"]);
+  await offset.fill("4");
+  await offset.blur();
+  const stretched = await page.waitForFunction(() => document.querySelector('[data-key="offsets.flap"] input[type="text"]').value === "4").then(() => page.waitForTimeout(400)).then(() => frequencies(page));
+  for (const [units, radius, shown, from] of [["mm, kg, N", "1397", "101.6", 717.55], ["ft, slug, lbf", null, "0.3333", 28.25 / 12], ["in, lb, lbf", "55", "4", 28.25]]) {
+    await page.locator("#units").selectOption({ label: units });
+    if (radius) await page.waitForFunction((radius) => document.querySelector('[data-path="rotor.radius"]').value === radius, radius);
+    await page.waitForFunction((shown) => document.querySelector('[data-key="offsets.flap"] input[type="text"]').value === shown, shown);
+    assert.ok(Math.abs(Number(await page.locator("#what-if-from").inputValue()) / from - 1) < 1e-12, units);
+    await page.waitForTimeout(400);
+    const now = await frequencies(page);
+    for (const [label, value] of Object.entries(stretched)) assert.ok(Math.abs(now[label] / value - 1) < 1e-9, `${units} ${label}: ${now[label]} for ${value}`);
+  }
+  // Undone, the blade is in millimetres again, and the changes follow.
+  await page.locator("#units").selectOption({ label: "mm, kg, N" });
+  await page.waitForFunction(() => document.querySelector('[data-key="offsets.flap"] input[type="text"]').value === "101.6");
+  await page.locator("#undo").click();
+  await page.waitForFunction(() => document.querySelector('[data-key="offsets.flap"] input[type="text"]').value === "4");
+  await page.locator("#what-if-keep").click();
+  await page.locator("#what-if-keep:disabled").waitFor();
+  assert.equal(await field(page, "flap.offset").inputValue(), "4");
+  assert.equal(await page.locator("#solve-faults li, #blade-faults li").count(), 0);
+});
+
+pageTest("another blade typed over the text begins without what-if", {}, async (page) => {
+  const before = await frequencies(page);
+  await page.locator("#what-if-factors-flap_stiffness").fill("1");
+  await changed(page, "1F", before["1F"]);
+  const { value } = await call(page, "built_in_blades");
+  const { toml } = value.find(({ name }) => name === "bo105");
+  await paste(page, toml);
+  await page.locator("#message", { hasText: "“What if” is set back" }).waitFor();
+  const alone = (await call(page, "modes", (await call(page, "parse_blade", toml)).value)).value;
+  await page.waitForFunction((last) => Number(document.querySelector("#modes tbody td[data-full]").dataset.full) === last, alone.modes[0].frequency_rad_s);
+  assert.equal(await page.locator("#what-if-factors-flap_stiffness").inputValue(), "0");
+  // Back in the history stands the other blade, which has none either.
+  await page.locator("#what-if-factors-flap_stiffness").fill("1");
+  await page.locator("#undo").click();
+  await page.waitForFunction((last) => Number(document.querySelector("#modes tbody td[data-full]").dataset.full) === last, before["1F"]);
+});
+
+const FOREIGN = "these are\nnot the words of a blade";
+for (const tab of ["fan", "shapes", "converge", "stations", "text"]) {
+  pageTest(`a foreign file opened from ${tab} stands in the text with its faults`, {}, async (page) => {
+    await page.locator(`#tab-${tab}`).click();
+    await page.waitForTimeout(200);
+    await page.locator("#file-input").setInputFiles({ name: "foreign.txt", mimeType: "", buffer: Buffer.from(FOREIGN) });
+    await page.locator("#faults li").first().waitFor();
+    await page.locator("#message", { hasText: "This is no blade yet" }).waitFor();
+    await page.waitForTimeout(400);
+    assert.equal(await page.locator("#blade-text").inputValue(), FOREIGN);
+    assert.equal(await page.locator("#tab-text").getAttribute("aria-selected"), "true");
+    assert.match(await page.locator("#fault-summary").textContent(), /^\d+ faults?; first at line 1/);
+    assert.ok((await page.locator(".marks .mark").count()) > 0);
+    // It waits there while one looks elsewhere, and there is a way back.
+    await page.locator("#tab-fan").click();
+    await page.locator("#tab-text").click();
+    assert.equal(await page.locator("#blade-text").inputValue(), FOREIGN);
+    await page.locator("#drop-draft button").click();
+    await page.waitForFunction(() => document.getElementById("blade-text").value.includes("TM 4760"));
+    assert.equal(await page.locator("#faults li").count(), 0);
+    assert.equal(await page.locator("#last-good").isVisible(), false);
+  });
+}
 
 pageTest("the text follows the fields, and the fields the text", {}, async (page) => {
   await field(page, "rotor.blades").fill("4");

@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
+import { callChanged } from "../../web/solver/changed.js";
 import { Client, withModule } from "../../web/solver/client.js";
 import { Solver } from "../../web/solver/lanes.js";
 
@@ -324,4 +325,20 @@ test("trouble of either worker is said until neither has any, and what is waited
   workers[2].answer("blade");
   assert.equal(await parsed, "blade");
   assert.equal(busy.at(-1), false);
+});
+
+test("a blade with changes is changed and solved in one call, and its faults are told", () => {
+  const asked = [];
+  const bladefan = {
+    change_blade: (blade, changes) => (changes.length === 0 ? { status: "error", faults: ["none"] } : { status: "ok", value: { blade: { ...blade, changes: changes.length }, notes: [] } }),
+    chart_svg: (...args) => {
+      asked.push(args);
+      return { status: "ok", value: 7 };
+    },
+  };
+  const blade = { name: "a" };
+  assert.deepEqual(callChanged(bladefan, "chart_svg", ["fan", { blade, changes: [{}] }, { width: 9 }]), { status: "ok", value: 7, blade: { name: "a", changes: 1 } });
+  assert.deepEqual(callChanged(bladefan, "chart_svg", ["fan", blade, null]), { status: "ok", value: 7 });
+  assert.deepEqual(callChanged(bladefan, "chart_svg", ["fan", { blade, changes: [] }]), { status: "error", faults: ["none"] });
+  assert.deepEqual(asked, [["fan", { name: "a", changes: 1 }, { width: 9 }], ["fan", blade, null]]);
 });

@@ -5,8 +5,8 @@ import { test } from "node:test";
 import { lessonWords } from "../../web/modes/lesson.js";
 import { NEAR, TOO_NEAR, nearModes, nearness } from "../../web/modes/nearness.js";
 import { STAGE, camera, chordAt, hubPaths, platePaths } from "../../web/modes/plate.js";
-import { REVOLUTION_S, largest, nodeWords, nodesOf, pace } from "../../web/modes/shape.js";
-import { call, pageTest } from "./support.mjs";
+import { REVOLUTION_S, largest, nodeWords, pace } from "../../web/modes/shape.js";
+import { call, pageTest, rows } from "./support.mjs";
 
 const modesTest = (name, options, body) =>
   pageTest(name, { reducedMotion: "no-preference", ...options }, async (page) => {
@@ -30,14 +30,7 @@ const face = (page) => page.locator("#motion .face").getAttribute("d");
 const pause = (page, milliseconds) => page.waitForTimeout(milliseconds);
 const table = (page) => page.locator("#modes tbody tr").evaluateAll((all) => all.map((row) => ({ label: row.cells[0].textContent, near: row.dataset.near, words: row.cells[6].textContent })));
 
-test("nodes are the zeros inside the span", () => {
-  const at = Array.from({ length: 121 }, (_, i) => i / 120);
-  assert.deepEqual(nodesOf(at, at.map((x) => x)), [], "the hinge is no node");
-  const nodes = nodesOf(at, at.map((x) => Math.sin(2.5 * Math.PI * x)));
-  assert.deepEqual(nodes.map((node) => node.toFixed(3)), ["0.400", "0.800"]);
-  assert.deepEqual(nodesOf([0, 0.5, 1], [1, 0, -1]), [0.5], "a zero that is hit");
-  assert.deepEqual(nodesOf([0, 0.5, 1], [1, 0, 1]), [], "a zero that is touched");
-  assert.deepEqual(nodesOf([0, 0.5, 1], [0, 0, 0]), []);
+test("nodes and the largest value are said in words", () => {
   assert.equal(nodeWords([]), "No node between root and tip");
   assert.equal(nodeWords([0.781]), "Node at r/R 0.78");
   assert.equal(nodeWords([0.1, 0.5, 0.9]), "Nodes at r/R 0.10, 0.50 and 0.90");
@@ -102,7 +95,7 @@ modesTest("the mode chosen in the table is shown with its nodes and moment", {},
   await choose(page, "3F");
   const { value } = await call(page, "shapes", await blade(page, "tm4760"), { dof: ["flap"], points: 121 });
   const shape = value.shapes.find(({ label }) => label === "3F");
-  const nodes = nodesOf(value.r_m.map((r) => r / value.radius_m), shape.displacement);
+  const nodes = shape.nodes_m.map((r) => r / value.radius_m);
   assert.equal(nodes.length, 2);
   assert.ok((await page.locator("#motion-nodes").textContent()).startsWith(nodeWords(nodes)));
   assert.equal(await page.locator("#motion .shape-plot .node").count(), 2);
@@ -359,7 +352,7 @@ modesTest("a full report still has one page, and says what it leaves out", {}, a
   await page.keyboard.press("Control+p");
   await page.waitForFunction(() => window.prints === 1);
   const text = () => page.locator("#report").textContent();
-  assert.match(await text(), /What if, already in these numbers: mass × 1\.07/);
+  assert.match(await text(), /What if, already in these numbers: mass and polar inertia × 1\.07/);
   assert.match(await text(), /The first 28 of 60 stations\./);
   assert.match(await text(), /The first 12 of \d+ crossings\./);
   await fitsPaper(page, "many-crossings");

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { drawn, frequencies, open, pageTest, site } from "./support.mjs";
+import { drawn, frequencies, open, pageTest, paste, site } from "./support.mjs";
 
 pageTest("the first chart, the table and the sliders need no second worker, and the module is fetched once", {}, async (page) => {
   // The page as it was opened starts its second worker, too, and may do so late: it is let finish.
@@ -72,9 +72,13 @@ test("a module that never arrives is waited for 30 seconds, then said, and anoth
 });
 
 pageTest("what is opened while a file is being read stays, and keeps its name", {}, async (page) => {
-  // An own blade is kept, then brought back over a connection on which the worker that reads it takes its time.
-  await page.locator("#what-if-factors-mass").fill("0.2");
-  await page.waitForFunction(() => Object.keys(localStorage).some((key) => localStorage.getItem(key).includes("packed")));
+  // An own blade is kept as its text, then brought back over a connection on which the worker that reads it takes its time.
+  await page.locator("#tab-text").click();
+  await page.waitForFunction(() => document.getElementById("blade-text").value.includes("TM 4760"));
+  await paste(page, `# mine\n${await page.locator("#blade-text").inputValue()}`);
+  await page.waitForFunction(() => Object.keys(localStorage).some((key) => localStorage.getItem(key).includes("# mine")));
+  await page.locator("#tab-fan").click();
+  await page.waitForTimeout(600);
   const kept = () => page.evaluate(() => JSON.stringify(Object.entries(localStorage)));
   let release;
   const held = new Promise((resolve) => (release = resolve));
@@ -101,7 +105,7 @@ pageTest("what is opened while a file is being read stays, and keeps its name", 
         Object.values(localStorage)
           .map((text) => JSON.parse(text))
           .flat()
-          .filter((entry) => entry?.packed).length,
+          .filter((entry) => entry?.content).length,
     ),
     2,
   );

@@ -32,23 +32,6 @@ pageTest("the first visit shows the TM 4760 blade and says what to try", {}, asy
   assert.match(await page.locator("#model").textContent(), /uncoupled, in vacuum, zero pitch/);
 });
 
-test("the first chart stands soon after the page is asked for", async () => {
-  const context = await site.browser.newContext({ viewport: { width: 1280, height: 800 }, serviceWorkers: "block" });
-  try {
-    const page = await context.newPage();
-    await page.addInitScript(() => {
-      new MutationObserver(() => {
-        window.firstChart ??= document.querySelector("#chart > svg") && performance.now();
-      }).observe(document, { childList: true, subtree: true });
-    });
-    await page.goto(site.origin);
-    const time = await (await page.waitForFunction(() => window.firstChart)).jsonValue();
-    console.log(`first chart ${Math.round(time)} ms after the page was asked for, nothing kept from before`);
-  } finally {
-    await context.close();
-  }
-});
-
 pageTest("every built-in blade draws all three charts", {}, async (page) => {
   const { value } = await call(page, "built_in_blades");
   assert.ok(value.length >= 5, `${value.length} blades`);

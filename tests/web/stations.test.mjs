@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { frequencies, open, screenshots, pageTest } from "./support.mjs";
+import { downloaded, frequencies, open, screenshots, pageTest } from "./support.mjs";
 
 /** A test in the tab of stations of a built-in blade. */
 const sheetTest = (name, blade, body, options = {}) =>
@@ -210,9 +210,57 @@ sheetTest("a pasted table with names, units and decimal commas fills its columns
   await click(page, 0, 0);
   await paste(page, "Mass [g/m]\tradius [m]\tcolour\n6,5\t0\tred\n6,25\t5\tred\n6\t5\tred\n5\t7,5\tred\n5\t10\t\n");
   assert.deepEqual((await table(page, 2)), [["0", "6.5"], ["5", "6.25"], ["5", "6"], ["7.5", "5"], ["10", "5"]]);
-  assert.equal(await said(page), "5 rows × 3 columns pasted; decimal commas read as points; columns by their names; left out: “colour”; units are not converted: mass is headed [g/m], taken as kg/m; 1 empty cell is a fault.");
-  await page.locator('.sheet tr[data-row="4"] td[aria-invalid="true"]').first().waitFor();
-  assert.match((await faults(page)).join(), /station 5, flap stiffness: flap stiffness \[4\] must be a number/);
+  assert.equal(await said(page), "5 rows × 3 columns pasted; decimal commas read as points; columns by their names; left out: “colour”; units are not converted: mass is headed [g/m], taken as kg/m; flap stiffness keeps its radii in a sheet of its own.");
+  // The stiffness stands where it stood, not at the new radii.
+  await page.locator("#stations-sheet").selectOption("flap_stiffness");
+  assert.deepEqual(await table(page, 2), [["0", "90000"], ["4", "90000"], ["4", "40000"], ["10", "40000"]]);
+  assert.deepEqual(await faults(page), []);
+  await page.locator("#stations-sheet").selectOption("");
+  await click(page, 0, 0);
+  await paste(page, "r\tmass\n0\t7\n5\t\n");
+  assert.match(await said(page), /1 empty cell is a fault/);
+  await page.locator('.sheet tr[data-row="1"] td[aria-invalid="true"]').first().waitFor();
+});
+
+sheetTest("a block that names stiffnesses and no radii is refused, and nothing is mixed", "tm4760", async (page) => {
+  const was = await table(page, 8);
+  await click(page, 0, 0);
+  for (const head of ["EI flap\tEI lag", "span station no\tEI flap", "GJ"]) {
+    await paste(page, `${head}\n${was.map(() => head.replace(/[^\t]+/g, "7")).join("\n")}\n`);
+    assert.match(await said(page), /^No column of radii: name one r or radius\..*Nothing was pasted\.$/);
+    assert.deepEqual(await table(page, 8), was);
+  }
+  // With radii that are those of the blade nothing is moved.
+  await paste(page, `r\tEI flap\n${was.map(([r]) => `${r}\t9e4`).join("\n")}\n`);
+  assert.deepEqual(await table(page, 2), was.map((row) => row.slice(0, 2)));
+  assert.equal(await page.locator("#stations-sheet option").count(), 1);
+});
+
+sheetTest("a blade begun by pasting does not keep where the last one came from", "tm4760", async (page) => {
+  const blade = async () => JSON.parse((await downloaded(page, async () => {
+    await page.locator("#download summary").click();
+    await page.locator("#download-json-blade").click();
+  })).bytes.toString());
+  const before = await blade();
+  assert.ok(before.source.quality && before.notes);
+  await page.locator("#what-if-factors-mass").fill("1");
+  const block = "r,mass,EI flap,EI lag,GJ,polar inertia\n0,2,1,3,1,1\n55,2,1,3,1,1\n";
+  await page.locator("#stations button", { hasText: "Paste a table" }).click();
+  await page.locator("#paste-text").fill(block);
+  await page.locator("#paste-use").click();
+  const after = await blade();
+  assert.deepEqual([after.source, after.notes, after.distribution.mass], [undefined, undefined, [2, 2]]);
+  assert.equal(await page.locator("#what-if-factors-mass").inputValue(), "0", "and changes were of the last one");
+  await page.locator("#undo").click();
+  assert.deepEqual((await blade()).source, before.source);
+  // Over every station of the sheet as well; over some of them it is an edit.
+  await click(page, 0, 0);
+  await paste(page, before.distribution.r ? `r\tmass\n3\t0.5\n` : "");
+  assert.deepEqual((await blade()).source, before.source);
+  await click(page, 0, 0);
+  const rows = (await table(page, 1)).length;
+  await paste(page, `r\tmass\n${Array.from({ length: rows }, (_, i) => `${3 + (52 * i) / (rows - 1)}\t0.2`).join("\n")}\n`);
+  assert.equal((await blade()).source, undefined);
 });
 
 sheetTest("pasting refuses what it would have to guess, and hostile text stays text", "tm4760", async (page) => {
@@ -224,10 +272,8 @@ sheetTest("pasting refuses what it would have to guess, and hostile text stays t
     assert.match(await said(page), words);
     assert.deepEqual(await table(page, 3), was);
   }
-  const start = Date.now();
   await paste(page, "1\t2\t3\n".repeat(100_000));
   assert.match(await said(page), /100000 rows are too many: a blade has at most 2000/);
-  assert.ok(Date.now() - start < 3_000);
   assert.deepEqual(await table(page, 3), was);
 
   const evil = "<script>window.broken=1</script><img src=x onerror=window.broken=1>";
@@ -340,10 +386,8 @@ sheetTest("a long blade shows 500 rows at a time, and all of it is kept", "tm476
   await click(page, 0, 0);
   await type(page, "Control+a");
   assert.equal((await copy(page)).split("\n").length, 800);
-  const start = Date.now();
   await click(page, 2, 1);
   await type(page, "7", "Enter");
-  assert.ok(Date.now() - start < 3_000, `${Date.now() - start} ms`);
   await page.locator("#stations-page").selectOption("1");
   assert.equal((await table(page, 1)).length, 300);
   await cell(page, 799, 1).click();
@@ -357,10 +401,8 @@ sheetTest("two thousand rows are pasted, and none is too many", "tm4760", async 
   await mine(page, { ...BLADE, name: "bare", distribution: { ...BLADE.distribution, r: undefined, mass: 6, flap_stiffness: 9e4 } });
   const lines = Array.from({ length: 2000 }, (_, i) => `${i / 199.9}\t6\t9e4`);
   await click(page, 0, 0);
-  const start = Date.now();
   await paste(page, lines.join("\n"));
   assert.match(await said(page), /^2000 rows × 3 columns pasted/);
-  assert.ok(Date.now() - start < 4_000, `${Date.now() - start} ms`);
   await page.locator('[data-command="below"]').click();
   assert.match(await said(page), /at most 2000 rows/);
   await click(page, 1, 1);

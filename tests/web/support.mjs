@@ -1,33 +1,24 @@
-// What the page's tests share: the server, the browser, and a page that is watched.
+// What the page's tests share.
 
 import assert from "node:assert/strict";
-import { existsSync, mkdirSync } from "node:fs";
+import { mkdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { chromium } from "playwright-core";
-import { serve } from "../../scripts/serve.mjs";
+import { open, start } from "./browser.mjs";
 
-const candidates = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/google-chrome", "/usr/bin/chromium-browser"];
-const executablePath = candidates.find((path) => path && existsSync(path));
-const flags = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+export { drawn, open, site, watched } from "./browser.mjs";
 
 /** Where pictures of the page go, to be looked at. */
 export const screenshots = fileURLToPath(new URL("screenshots/", import.meta.url));
-/** The server's address and the browser: one of each for the tests of a file. */
-export const site = {};
-let server;
+
+// One server and one browser for the tests of a file.
+let stop;
 before(async () => {
-  assert.ok(executablePath, "no Chromium found; CHROMIUM names one");
   mkdirSync(screenshots, { recursive: true });
-  server = await serve(0);
-  site.origin = `http://127.0.0.1:${server.address().port}`;
-  site.browser = await chromium.launch({ executablePath, args: flags });
+  stop = await start();
 });
-after(async () => {
-  await site.browser?.close();
-  server?.close();
-});
+after(() => stop?.());
 
 /** A test with a page of its own, whose console and network must stay clean. */
 export function pageTest(name, options, body) {
@@ -42,39 +33,6 @@ export function pageTest(name, options, body) {
   });
 }
 
-/**
- * A page that is watched: what the console says, what fails and what is asked of another host is
- * kept in `complaints`, which every test expects to stay empty.
- */
-export async function watched(options) {
-  const { browser, origin } = site;
-  const context = await browser.newContext({ serviceWorkers: "block", reducedMotion: "reduce", viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
-  context.setDefaultTimeout(15_000);
-  const page = await context.newPage();
-  const complaints = [];
-  page.on("console", (message) => {
-    const blocked = message.text().includes("Service Worker registration blocked"); // by these tests
-    if (["error", "warning"].includes(message.type()) && !blocked) complaints.push(`console: ${message.text()}`);
-  });
-  page.on("pageerror", (error) => complaints.push(`error: ${error.message}`));
-  page.on("request", (request) => {
-    const url = request.url();
-    if (!url.startsWith(`${origin}/`) && !url.startsWith(`blob:${origin}/`)) complaints.push(`request: ${url}`);
-  });
-  page.on("response", (response) => {
-    if (response.status() >= 400) complaints.push(`status ${response.status()}: ${response.url()}`);
-  });
-  return { page, complaints, close: () => context.close() };
-}
-
-/** Opens the calculator, watched, and waits for its first chart. */
-export async function open({ fragment = "", ...options } = {}) {
-  const opened = await watched(options);
-  await opened.page.goto(`${site.origin}/${fragment}`);
-  await drawn(opened.page);
-  return opened;
-}
-
 const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
 
 /**
@@ -85,13 +43,6 @@ export async function findings(page, context = {}, options = {}) {
   if (await page.evaluate(() => typeof axe === "undefined")) await page.addScriptTag({ path: axe });
   const { violations } = await page.evaluate(([context, options]) => axe.run({ include: document, ...context }, { resultTypes: ["violations"], ...options }), [context, options]);
   return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(" ")).join(", ")}`);
-}
-
-/** Waits until the chart, the table and the slider are there. */
-export async function drawn(page) {
-  await page.locator("#chart > svg:not(.overlay)").waitFor();
-  await page.locator("#modes tbody tr").first().waitFor();
-  await page.locator("#speed-slider:enabled").waitFor();
 }
 
 /** Puts a text into the editor as a user who pastes it. */

@@ -6,8 +6,9 @@ import { pack, unpack } from "../../web/app/pack.js";
 import { STATE, createStore } from "../../web/app/state.js";
 import { textOffset } from "../../web/blade/text.js";
 import { faultPlace } from "../../web/lib/faults.js";
-import { fieldNumber, figures, marginWords } from "../../web/lib/format.js";
+import { boundsWords, closestOf, crossingWords, crossingsWithin, fieldNumber, figures, marginWords, percentWords } from "../../web/lib/format.js";
 import { closestWords } from "../../web/modes/table.js";
+import { readBlock, writeBlock } from "../../web/stations/paste/block.js";
 import { convergeCsv, csv, fanCsv, fileName } from "../../web/out/download.js";
 
 test("numbers have four significant figures and a real minus sign", () => {
@@ -62,6 +63,29 @@ test("a fault's place is said as far as it is known", () => {
 
 test("CSV quotes what needs it and keeps every digit", () => {
   assert.equal(csv(["a", 'b "c", d'], [[0.1 + 0.2, null], [5, "x"]]), 'a,"b ""c"", d"\n0.30000000000000004,\n5,x\n');
+});
+
+test("a word in CSV or on the clipboard is no formula, and a number stays one", () => {
+  const hostile = ["=cmd|' /C calc'!A0", "+1+1", "-2+3", "@SUM(A1)", "\t=1", "\r=1", "＝1+1"];
+  for (const word of hostile) {
+    assert.match(csv([word], []), /^"?'/, word);
+    assert.match(csv(["r"], [[word]]), /\n"?'/, word);
+    assert.match(writeBlock([[1, word]]), /^1\t"?'/, word);
+  }
+  assert.equal(csv(["r"], [[-1.5e-7, "1F", null]]), "r\n-1.5e-7,1F,\n");
+  assert.equal(writeBlock([[-1.5, "", undefined]]), "-1.5\t\t");
+  // What the sheet copies it reads back as it was.
+  const rows = [[-1, "=1+1", "'quoted", "-x"]];
+  assert.deepEqual(readBlock(writeBlock(rows)).rows, rows);
+});
+
+test("crossings, bounds and differences are said in one way", () => {
+  const fan = { nominal: { speed_rad_s: 10 }, crossings: [{ label: "2F", harmonic: 3, speed_rad_s: 10.5 }, { label: "1F", harmonic: 1, speed_rad_s: 9 }, { label: "1L", harmonic: 9, speed_rad_s: 12 }] };
+  assert.deepEqual(crossingsWithin(fan, [0.9, 1.1]).map(crossingWords), ["1F × 1P", "2F × 3P"]);
+  assert.deepEqual([null, 0, 5e-5, 0.0981, -1.26, 12.34, -250].map(percentWords), ["–", "0 %", "<0.0001 %", "+0.098 %", "−1.3 %", "+12 %", "−250 %"]);
+  assert.equal(boundsWords({ frequency_rad_s: 10, lower_rad_s: 10 - 1e-9, upper_rad_s: 10 }, " rad/s"), "±2·10⁻⁹ rad/s");
+  assert.equal(boundsWords({ frequency_rad_s: 10, lower_rad_s: null, upper_rad_s: null }, " rad/s"), "–");
+  assert.equal(closestOf([{ nearest_harmonic: null, margin_per_rev: null }]), null);
 });
 
 test("CSV of a fan chart and of a convergence study", () => {

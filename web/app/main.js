@@ -7,6 +7,7 @@ import { startUnits } from "../blade/units.js";
 import { startWhatIf } from "../blade/what-if.js";
 import { startBand } from "../chart/band.js";
 import { Chart } from "../chart/chart.js";
+import { knowUnits } from "../chart/frame.js";
 import { startHover } from "../chart/hover.js";
 import { startMeasured } from "../chart/measured.js";
 import { startNumbers } from "../chart/numbers.js";
@@ -16,6 +17,7 @@ import { startUnchanged } from "../chart/unchanged.js";
 import { startZoom } from "../chart/zoom.js";
 import { at } from "../lib/dom.js";
 import { scriptAddress } from "../lib/trusted.js";
+import { isNeutral } from "../lib/what-if.js";
 import { startLesson } from "../modes/lesson.js";
 import { startMotion } from "../modes/motion.js";
 import { startMovers } from "../modes/movers.js";
@@ -55,7 +57,7 @@ startHistory(store, blade);
 startForm(store, blade);
 startStations(store, blade);
 startUnits(store, client, blade, say);
-startWhatIf(store, blade);
+startWhatIf(store, client, blade, say);
 startChartTools(store);
 const chooseSpeed = startSpeed(store);
 const chart = new Chart(at("chart"), chooseSpeed);
@@ -75,8 +77,9 @@ startLesson(store);
 startMovers(store, client);
 copyFull(at("modes"));
 
-const fromAddress = startShare(store, open, say);
-const fromLastVisit = startSession(store, open, say);
+const address = startShare(store, open, say);
+const fromLastVisit = startSession(store, open, say, address.outgrow);
+store.subscribe(({ blade, doc, whatIf, faults }, changed) => changed.has("blade") && faults.length === 0 && store.set({ good: isNeutral(whatIf) ? blade : doc }));
 
 /** @type {HTMLInputElement[]} */
 const optionFields = [...document.querySelectorAll("[data-option]")];
@@ -141,9 +144,12 @@ async function start() {
   at("version").textContent = `bladefan ${version}`;
   at("blade-choice").replaceChildren(...blades.map((blade) => new Option(blade.title, blade.name)), new Option("your own blade", OWN));
   at("blade-choice").disabled = false;
+  knowUnits(speedUnits);
   store.set({ about, library: blades });
-  if (open.begun()) return; // a file came in meanwhile
-  if ((await fromAddress()) || (await fromLastVisit()) || open.begun()) return;
+  if (open.begun()) return open.haveBlade(); // a file came in meanwhile
+  // Whatever stands in the address or in storage, the page starts.
+  const found = async (look) => look().catch(() => false);
+  if ((await found(address.open)) || (await found(fromLastVisit)) || open.begun()) return open.haveBlade();
   const first = blades.find((blade) => blade.name === FIRST_BLADE) ?? blades[0];
   open(first.toml, first.name);
   at("hint").textContent = `This is the ${first.title}. Drag the line on the chart, or a slider under “What if”, and watch the branches move.`;

@@ -1,12 +1,15 @@
-// Blade and view as one compressed text: for the share link and for what the page remembers.
+// Blade and view as plain data, for what the page remembers, and as one compressed text, for the share link.
 
 import { DOFS } from "../lib/dof-toggles.js";
-import { NEUTRAL } from "../lib/scale.js";
+import { NEUTRAL } from "../lib/what-if.js";
 
 const VERSION = "1";
 /** Longest text that is unpacked, and longest that it may unpack to. */
 const LONGEST_PACKED = 400_000;
 const LONGEST_PLAIN = 4_000_000;
+/** Most rotor speeds of a window, and most frequencies of one kind: speeds × modes. More is refused, whoever asks. */
+const MOST_SPEEDS = 2_001;
+const MOST_FREQUENCIES = MOST_SPEEDS * 20;
 
 const finite = (value) => typeof value === "number" && Number.isFinite(value);
 const oneOf = (...choices) => (value) => choices.includes(value);
@@ -38,9 +41,20 @@ const VIEW = {
     tableOf(Object.keys(NEUTRAL.factors), positive)(value.factors) &&
     orNull(finite)(value.from) &&
     orNull(finite)(value.to) &&
+    (value.from ?? -Infinity) < (value.to ?? Infinity) &&
     tableOf(DOFS, notNegative)(value.offsets) &&
-    tableOf(DOFS, positive)(value.springs),
+    tableOf(DOFS, positive)(value.springs) &&
+    orNull(text(8))(value.length ?? null),
 };
+
+/** Why a view is more work than a page should be given by others, in words; null where it is not. */
+function tooMuch({ window, options }) {
+  const count = window?.speeds?.[2];
+  if (count === undefined) return null;
+  const modes = Number(options?.modes) || 5;
+  if (count <= MOST_SPEEDS && count * modes <= MOST_FREQUENCIES) return null;
+  return `It asks for ${count} rotor speeds with ${modes} modes each; at most ${Math.min(MOST_SPEEDS, Math.floor(MOST_FREQUENCIES / modes))} are taken. The whole chart is shown instead.`;
+}
 
 async function through(bytes, transform, longest) {
   const reader = new Blob([bytes]).stream().pipeThrough(transform).getReader();
@@ -66,16 +80,40 @@ const toBase64 = (bytes) => {
 };
 const fromBase64 = (letters) => Uint8Array.from(atob(letters.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
 
-/** The blade as it stands in the fields and the view of it, packed. */
-export async function pack(state) {
-  const { doc, text: file, choice } = state;
+/** The blade as its text or as it stands in the fields, with the view of it, and what is beside it while it is not finished. */
+export function contentOf(state) {
+  const { doc, text: file, choice, draft = null, faults = [], good = null } = state;
   const view = Object.fromEntries(Object.keys(VIEW).map((key) => [key, state[key]]));
-  const plain = JSON.stringify({ blade: file ?? doc, choice, view });
-  const bytes = await through(new TextEncoder().encode(plain), new CompressionStream("deflate-raw"), Infinity);
+  const unfinished = { ...(draft === null ? {} : { draft }), ...(faults.length === 0 || good === null || good === doc ? {} : { good }) };
+  return { blade: file ?? doc, choice, view, ...unfinished };
+}
+
+/** The same, packed. */
+export async function pack(state) {
+  const bytes = await through(new TextEncoder().encode(JSON.stringify(contentOf(state))), new CompressionStream("deflate-raw"), Infinity);
   return `${VERSION}.${toBase64(bytes)}`;
 }
 
-/** What was packed: {blade: text of a blade file, choice, view}; throws words for the user where it is broken. */
+/** Content that came from anywhere, with what is known and whole of it; throws words where it holds no blade. */
+export function checked(given) {
+  if (!table(given) || !(table(given.blade) || text(LONGEST_PLAIN)(given.blade))) throw new Error("it holds no blade");
+  const offered = table(given.view) ? given.view : {};
+  // The rest keeps its default.
+  const view = Object.fromEntries(Object.entries(VIEW).filter(([key, good]) => Object.hasOwn(offered, key) && good(offered[key])).map(([key]) => [key, offered[key]]));
+  if (view.whatIf) view.whatIf = { ...view.whatIf, length: view.whatIf.length ?? null };
+  const refused = tooMuch(view);
+  if (refused !== null) view.window = null;
+  return {
+    blade: given.blade,
+    choice: text(60)(given.choice) ? given.choice : "",
+    view,
+    good: table(given.good) ? given.good : null,
+    draft: text(LONGEST_PLAIN)(given.draft) ? given.draft : null,
+    refused,
+  };
+}
+
+/** What was packed, as `checked` gives it; throws words for the user where it is broken. */
 export async function unpack(packed) {
   const [version, letters = ""] = packed.split(".");
   if (!/^\d+$/.test(version) || !/^[\w-]+$/.test(letters)) throw new Error("it is cut off or changed");
@@ -88,10 +126,5 @@ export async function unpack(packed) {
   } catch (error) {
     throw error.message.startsWith("it unpacks") ? error : new Error("it is cut off or changed");
   }
-  if (!table(given) || !(table(given.blade) || text(LONGEST_PLAIN)(given.blade))) throw new Error("it holds no blade");
-  const blade = table(given.blade) ? JSON.stringify(given.blade) : given.blade;
-  const offered = table(given.view) ? given.view : {};
-  // Only what is known and whole; the rest keeps its default.
-  const view = Object.fromEntries(Object.entries(VIEW).filter(([key, good]) => Object.hasOwn(offered, key) && good(offered[key])).map(([key]) => [key, offered[key]]));
-  return { blade, choice: text(60)(given.choice) ? given.choice : "", view };
+  return checked(given);
 }

@@ -1,7 +1,7 @@
 // The page's state, in one place. Modules read it, change it through `set`, and hear of changes. What it
 // hands out is frozen, with all that lies in it: a change goes through `set`, or throws.
 
-import { NEUTRAL } from "../lib/scale.js";
+import { NEUTRAL } from "../lib/what-if.js";
 
 /** The choice of the first visit. */
 export const FIRST_BLADE = "tm4760";
@@ -16,8 +16,11 @@ export const STATE = {
   // The blade under edit.
   doc: null, // as it stands in the fields, in its own units; may have faults
   text: null, // its file, until a field is changed
-  textFaults: [], // of what is typed in the text tab
+  good: null, // `doc` as it was last solved, without faults
+  draft: null, // a text that was typed or opened and is no blade, beside the one that is
+  textFaults: [], // of that text
   opened: 0, // how many blades were opened
+  keptAs: null, // the name of its place among the kept blades
   canUndo: false,
   canRedo: false,
   whatIf: NEUTRAL, // changes for a look, beside the blade
@@ -81,9 +84,10 @@ export function createStore(initial = STATE) {
       // A listener that sets more makes a newer state, which the next ones are told of.
       for (const listener of listeners) listener(state, changed);
     },
-    /** `listener(state, changed)` hears of every change. */
+    /** `listener(state, changed)` hears of every change, until the function that this gives is called. */
     subscribe(listener) {
       listeners.add(listener);
+      return () => listeners.delete(listener);
     },
   };
 }

@@ -2,6 +2,7 @@
 // Values may be faulty: what a field holds is kept as it is, and the package says what is wrong.
 
 import { at } from "../lib/dom.js";
+import { NEUTRAL } from "../lib/what-if.js";
 
 /** The choice of a blade of the user's own, in the list of blades. */
 export const OWN = "";
@@ -28,52 +29,65 @@ function steps(path) {
   return path.split(/\.|\[|\]/).filter((step) => step !== "").map((step) => (/^\d+$/.test(step) ? Number(step) : step));
 }
 
-/** Makes the document of the state, which alone changes `doc`, `text` and `choice`. */
+/** Makes the document of the state, which alone changes `doc`, `text`, `draft` and `choice`. */
 export function createDocument(store) {
   let past = [];
   let future = [];
   let step = { key: null, time: -Infinity };
+  let which = 0; // the blade that is edited, of those opened
 
   const now = () => {
-    const { doc, text, choice } = store.get();
-    return { doc, text, choice };
+    const { doc, text, choice, draft, textFaults, keptAs } = store.get();
+    return { entry: { doc, text, choice, draft, textFaults, keptAs }, which };
   };
-  const show = (entry, more = {}) => store.set({ ...entry, ...more, canUndo: past.length > 0, canRedo: future.length > 0 });
+  // A text that was no blade is gone with the next one.
+  const show = (entry, more = {}) => store.set({ draft: null, textFaults: [], ...entry, ...more, canUndo: past.length > 0, canRedo: future.length > 0 });
 
   function remember(key) {
     const time = performance.now();
     const same = key !== null && key === step.key && time - step.time < SAME_STEP_MS;
     step = { key, time };
     if (same || store.get().doc === null) return;
-    past.push(now());
+    const { entry, which } = now();
+    // Half a word on the way to a text that is a blade again is no step.
+    past.push({ entry: key === "text" ? { ...entry, draft: null, textFaults: [] } : entry, which });
     past = past.slice(-MOST_STEPS);
     future = [];
   }
 
   /** Shows the last of one list; what stood there goes to the other. */
   function travel(from, to) {
-    const entry = from.pop();
-    if (entry === undefined) return;
+    const there = from.pop();
+    if (there === undefined) return;
     to.push(now());
     step = { key: null, time: -Infinity };
-    show(entry);
+    const other = there.which !== which;
+    which = there.which;
+    show(there.entry, other ? { whatIf: NEUTRAL } : {}); // changes are of the blade that they were made beside
   }
 
   return {
     /** Takes another blade in; `text` is its file, where there is one. Typing with one `key` is one step. */
     open(doc, { choice, text = null }, { key = null, ...more } = {}) {
       remember(key);
+      if (more.whatIf !== undefined) which++;
       show({ doc, text, choice }, more);
     },
+    /** Puts the same blade in another form in its place. */
+    replace(doc, more = {}) {
+      remember(null);
+      show({ doc: structuredClone(doc), text: null, choice: OWN }, more);
+    },
     /** Changes a copy of the blade; edits with the same `key` in a row are one step. */
-    edit(change, key = null) {
+    edit(change, key = null, more = {}) {
       const { doc } = store.get();
       if (doc === null) return;
       const next = structuredClone(doc);
       change(next);
       if (JSON.stringify(next) === JSON.stringify(doc)) return;
       remember(key);
-      show({ doc: next, text: null, choice: OWN });
+      if (more.whatIf !== undefined) which++;
+      show({ doc: next, text: null, choice: OWN }, more);
     },
     undo: () => travel(past, future),
     redo: () => travel(future, past),

@@ -103,27 +103,47 @@ export function textOffset(text, line, column) {
   return offset;
 }
 
+function noteOf({ doc, text, draft }) {
+  if (draft !== null) return "This text is no blade yet; its faults stand below. Fields, charts and numbers are those of the blade before.";
+  if (text === null && doc !== null) return "The blade as a file, written from the fields. Comments of an opened file are not kept once a field is changed.";
+  return `The blade as a file, ${textFormat(text ?? "") === "json" ? "JSON" : "TOML"}. What is typed here is solved, too.`;
+}
+
 /** Makes the text tab; `onTyped` hears of what is typed, some time after. */
 export function startText(store, client, onTyped) {
-  let typing;
-  let shown = null; // the text that stands in the editor and the blade it is of
+  let typing = null;
+  let shown = null; // the text that stands in the editor
   const editor = new Editor(at("editor"), (text) => {
     clearTimeout(typing);
-    typing = setTimeout(() => onTyped(text), TYPING_MS);
+    typing = setTimeout(() => {
+      typing = null;
+      onTyped(text);
+    }, TYPING_MS);
   });
 
-  /** The text tab shows the blade as it stands in the fields. */
-  async function write(doc, text) {
+  // What is typed and not read yet is kept where the page may be on its way out.
+  function flush() {
+    if (typing === null || store.get().doc === null) return;
+    shown = editor.value;
+    store.set({ draft: shown });
+  }
+  addEventListener("pagehide", flush);
+  document.addEventListener("visibilitychange", () => document.hidden && flush());
+
+  /** The text tab shows the text that is no blade yet, else the blade as it stands in the fields. */
+  async function write({ doc, text: file, draft }) {
+    let text = draft ?? file;
     if (text === null) {
       const written = await client.call("write", "write_blade", doc, "toml");
       if (written === null) return;
       // A blade with faults has no file in TOML yet; JSON holds whatever the fields hold.
       text = written.status === "ok" ? written.value : `${JSON.stringify(doc, null, 1)}\n`;
     }
-    if (store.get().doc !== doc || text === shown) return;
+    const now = store.get();
+    if (now.doc !== doc || now.draft !== draft || text === shown) return;
     shown = text;
     editor.value = text;
-    store.set({ textFaults: [] });
+    editor.mark(now.textFaults);
   }
 
   function showTextFaults({ textFaults }) {
@@ -135,22 +155,18 @@ export function startText(store, client, onTyped) {
   }
 
   store.subscribe((state, changed) => {
-    if (changed.has("textFaults")) showTextFaults(state);
-    if (state.tab === "text" && state.doc !== null && (changed.has("tab") || changed.has("doc") || changed.has("text"))) write(state.doc, state.text);
-    if (changed.has("text") || changed.has("tab")) {
-      at("text-note").textContent =
-        state.text === null && state.doc !== null
-          ? "The blade as a file, written from the fields. Comments of an opened file are not kept once a field is changed."
-          : `The blade as a file, ${textFormat(state.text ?? "") === "json" ? "JSON" : "TOML"}. What is typed here is solved, too.`;
-    }
+    const any = (...keys) => keys.some((key) => changed.has(key));
+    if (any("textFaults")) showTextFaults(state);
+    if (state.tab === "text" && state.doc !== null && any("tab", "doc", "text", "draft")) write(state);
+    if (any("text", "tab", "draft")) at("text-note").textContent = noteOf(state);
   });
 
   return {
     /** A text was opened; one that was typed stands here already. */
     take(text, typed) {
       clearTimeout(typing);
-      if (!typed) editor.value = text;
-      shown = text;
+      typing = null;
+      if (typed && editor.value === text) shown = text;
     },
   };
 }

@@ -2,10 +2,10 @@
 
 import { at } from "../lib/dom.js";
 import { fieldNumber, fieldValue } from "../lib/format.js";
-import { NEUTRAL, isNeutral, points, scaled } from "../lib/scale.js";
+import { NEUTRAL, changesOf, isNeutral, lengthOf, lengthsOf, withLengths } from "../lib/what-if.js";
 import { unitOf } from "../lib/unit-words.js";
 
-const FACTORS = { flap_stiffness: "Flap stiffness", lag_stiffness: "Lag stiffness", torsion_stiffness: "Torsion stiffness", mass: "Mass" };
+const FACTORS = { flap_stiffness: "Flap stiffness", lag_stiffness: "Lag stiffness", torsion_stiffness: "Torsion stiffness", mass: "Mass and polar inertia" };
 const DOFS = { flap: "Flap", lag: "Lag", torsion: "Torsion" };
 /** Sliders of factors go from a quarter to four times, evenly in the logarithm. */
 const OCTAVES = 2;
@@ -25,6 +25,11 @@ function row(name, key, { min, max, step }) {
   return div;
 }
 
+/** Radii nearer than this share of themselves are one. */
+const SAME = 1e-9;
+
+const radiiOf = (doc) => [...new Set((doc.distribution?.r ?? []).filter(Number.isFinite))];
+
 /** Which sliders this blade has: stiffnesses and mass, an offset per root, a spring where there is one. */
 function plan(doc) {
   const rows = Object.entries(FACTORS).map(([key, name]) => ({ key: `factors.${key}`, name }));
@@ -38,17 +43,20 @@ function plan(doc) {
 /** Where a root's offset may go: properties must reach inward to it. */
 function offsetRange(doc, dof) {
   const radius = doc.rotor?.radius ?? 1;
-  const inner = ["mass", `${dof}_stiffness`].map((name) => (doc.distribution?.[name] === undefined ? 0 : points(doc, name).r[0] ?? 0));
-  return { min: Math.max(0, ...inner.filter(Number.isFinite)), max: FARTHEST * radius };
+  const first = (name) => {
+    const given = doc.distribution?.[name];
+    return Array.isArray(given) ? doc.distribution.r?.[0] : given?.r?.[0];
+  };
+  return { min: Math.max(0, ...["mass", `${dof}_stiffness`].map(first).filter(Number.isFinite)), max: FARTHEST * radius };
 }
 
 function offsetOf(doc, dof) {
   const { offset, offset_ratio: ratio } = doc[dof] ?? {};
-  return offset ?? (ratio === undefined ? 0 : ratio * doc.rotor.radius);
+  return offset ?? (ratio === undefined ? 0 : ratio * doc.rotor?.radius);
 }
 
 /** Makes the sliders; the changed blade is what is solved. */
-export function startWhatIf(store, blade) {
+export function startWhatIf(store, client, blade, say) {
   const host = at("what-if");
   const rows = document.createElement("div");
   rows.className = "sliders";
@@ -69,7 +77,22 @@ export function startWhatIf(store, blade) {
   host.append(rows, range, buttons);
   let planned = "";
 
-  const set = (change) => store.set({ whatIf: { ...store.get().whatIf, ...change } });
+  /** Whether the lengths among the changes are in the unit that the blade has now. */
+  const isInUnit = ({ doc, whatIf }) => whatIf.length === null || whatIf.length === lengthOf(doc) || lengthsOf(whatIf).length === 0;
+
+  function set(change) {
+    const state = store.get();
+    if (isInUnit(state)) store.set({ whatIf: { ...state.whatIf, ...change, length: lengthOf(state.doc) } });
+  }
+
+  /** The blade has another unit of length: the changes follow. They are solved right meanwhile, for they name theirs. */
+  async function convert({ doc, whatIf }) {
+    const length = lengthOf(doc);
+    const result = await client.call("lengths", "convert_blade", { schema: doc.schema, units: { length: whatIf.length }, distribution: { r: lengthsOf(whatIf) } }, { length });
+    if (result === null || store.get().whatIf !== whatIf || lengthOf(store.get().doc) !== length) return;
+    if (result.status === "ok") store.set({ whatIf: withLengths(whatIf, result.value.distribution.r, length) });
+    else store.set({ whatIf: NEUTRAL });
+  }
 
   function choose(key, value) {
     const [table, name] = key.split(".");
@@ -95,7 +118,7 @@ export function startWhatIf(store, blade) {
       const { min, max } = offsetRange(doc, key.split(".")[1]);
       Object.assign(slider, { min, max, step: (max - min) / 500 || "any" });
     }
-    const radii = [...new Set((doc.distribution?.r ?? []).filter(Number.isFinite))];
+    const radii = radiiOf(doc);
     ends.forEach((select, i) => {
       const whole = i === 0 ? "root" : "tip";
       select.replaceChildren(new Option(whole, ""), ...radii.map((r) => new Option(fieldNumber(r), r)));
@@ -103,22 +126,35 @@ export function startWhatIf(store, blade) {
     range.hidden = radii.length < 2;
   }
 
+  /** Chooses a radius among those of the blade, and bars what would leave nothing between the two. */
+  function showEnd(select, { from, to }, radii) {
+    const end = select === ends[0] ? from : to;
+    const near = (r) => Math.abs(r - end) <= SAME * Math.abs(end);
+    const shown = end === null ? "" : (radii.find(near) ?? end);
+    if (shown === end && !radii.includes(end)) select.append(new Option(fieldNumber(end), end));
+    select.value = shown;
+    for (const option of [...select.options].slice(1)) {
+      const r = Number(option.value);
+      option.disabled = select === ends[0] ? to !== null && r >= to : from !== null && r <= from;
+    }
+  }
+
   function show(state) {
     const { doc, whatIf } = state;
+    if (!isInUnit(state)) return void convert(state);
     for (const div of rows.children) {
       const { key } = div.dataset;
       const [slider, exact] = div.querySelectorAll("input");
       const value = valueOf(key, state);
       const isOffset = key.startsWith("offsets");
       if (slider !== document.activeElement || isOffset === false) slider.value = isOffset ? value : Math.log2(value);
-      const words = isOffset ? fieldNumber(Number(value.toPrecision(4))) : value.toFixed(2);
+      const words = isOffset ? (Number.isFinite(value) ? fieldNumber(value, 4) : "") : value.toFixed(2);
       const unit = isOffset ? unitOf("length", doc.units) : "×";
       slider.setAttribute("aria-valuetext", `${words} ${isOffset ? unit : "times"}`);
       if (exact !== document.activeElement) exact.value = words;
       div.querySelector(".unit").textContent = unit;
     }
-    ends[0].value = whatIf.from ?? "";
-    ends[1].value = whatIf.to ?? "";
+    for (const select of ends) showEnd(select, whatIf, radiiOf(doc));
     const neutral = isNeutral(whatIf);
     reset.disabled = neutral && whatIf.from === null && whatIf.to === null;
     keep.disabled = neutral;
@@ -136,11 +172,12 @@ export function startWhatIf(store, blade) {
   });
   rows.addEventListener("focusout", () => store.get().doc && show(store.get()));
   reset.addEventListener("click", () => store.set({ whatIf: NEUTRAL }));
-  keep.addEventListener("click", () => {
+  keep.addEventListener("click", async () => {
     const { doc, whatIf } = store.get();
-    const kept = scaled(doc, whatIf);
-    store.set({ whatIf: NEUTRAL });
-    blade.edit((copy) => Object.assign(copy, kept));
+    const result = await client.call("keep", "change_blade", doc, changesOf(whatIf));
+    if (result === null || store.get().doc !== doc || store.get().whatIf !== whatIf) return;
+    if (result.status === "ok") blade.replace(result.value.blade, { whatIf: NEUTRAL });
+    else say(`The changes are kept once the blade has no fault: ${result.faults[0].path}: ${result.faults[0].message}`);
   });
   store.subscribe((state, changed) => {
     if (state.doc === null) return;

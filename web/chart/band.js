@@ -1,7 +1,7 @@
 // The operating band: two edges that are moved on the chart, and the crossings between them in words.
 
 import { at, element } from "../lib/dom.js";
-import { fieldNumber } from "../lib/format.js";
+import { crossingWords, crossingsWithin, fieldNumber } from "../lib/format.js";
 
 /** Edges are set in steps of this ratio of nominal speed, and keep this far apart. */
 const STEP = 0.01;
@@ -11,15 +11,6 @@ const FARTHEST = 3;
 const MOST = 24;
 
 const rounded = (ratio) => Number((Math.round(ratio / STEP) * STEP).toFixed(4));
-
-/** "4F × 9P at 612 rpm" for each crossing within the band. */
-export function crossingsWithin(report, band, shown, unit) {
-  const [from, to] = band.map((ratio) => ratio * report.nominal.speed_rad_s);
-  return report.crossings
-    .filter(({ speed_rad_s: speed }) => speed >= from && speed <= to)
-    .sort((a, b) => a.speed_rad_s - b.speed_rad_s)
-    .map(({ label, harmonic, speed_rad_s: speed }) => `${label} × ${harmonic}P at ${fieldNumber(shown(speed), 4)} ${unit}`);
-}
 
 /** Makes the edges; they set `band` of the state. */
 export function startBand(chart, store) {
@@ -77,7 +68,7 @@ export function startBand(chart, store) {
     const ends = band.map((ratio) => fieldNumber(shown(ratio * report.nominal.speed_rad_s), 4));
     const [first, last] = [report.speeds_rad_s[0], report.speeds_rad_s.at(-1)];
     const cut = window !== null && (band[0] * report.nominal.speed_rad_s < first || band[1] * report.nominal.speed_rad_s > last);
-    const all = crossingsWithin(report, band, shown, speedUnit);
+    const all = crossingsWithin(report, band).map((crossing) => `${crossingWords(crossing)} at ${fieldNumber(shown(crossing.speed_rad_s), 4)} ${speedUnit}`);
     const along = report.coincident.map(({ label, harmonic }) => `${label} lies on ${harmonic}P at every speed`);
     const told = [...along, ...all.slice(0, MOST), ...(all.length > MOST ? [`${all.length - MOST} more`] : [])];
     const text = `Band of ${ends[0]} to ${ends[1]} ${speedUnit}${cut ? ", as far as it is in view" : ""}: ${told.length === 0 ? `no crossing up to ${report.harmonics}P` : told.join("; ")}.`;

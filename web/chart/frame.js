@@ -1,8 +1,14 @@
 // The frame of a fan chart: from pixels to numbers and back, and what lies between the report's speeds.
 
-const RAD_S = { "rad/s": 1, Hz: 2 * Math.PI, rpm: Math.PI / 30 };
+/** How many rad/s one unit of speed or frequency is, by its name. */
+const RAD_S = {};
 /** Far outside of every drawing, and still a number that a path takes. */
 const FAR = 1e5;
+
+/** Takes in the units as the package has them, before anything is drawn. */
+export function knowUnits(units) {
+  for (const { name, rad_s } of units) RAD_S[name] = rad_s;
+}
 
 /** A branch's frequency between the report's speeds [rad/s]: λ = ω² is smooth in Ω², a parabola through three points follows it. */
 export function between(speeds, frequencies, speed) {

@@ -1,8 +1,8 @@
 // What stands at the pointer, or where the keys have gone: branch, speed, frequency, nearest harmonic.
 
 import { at, element } from "../lib/dom.js";
-import { fieldNumber, figures, marginWords } from "../lib/format.js";
-import { perRev } from "./frame.js";
+import { fieldNumber, figures, marginWords, perRevWords } from "../lib/format.js";
+import { inUnit, perRev } from "./frame.js";
 
 /** A branch is meant from this near, in pixels of the screen. */
 const REACH = { mouse: 28, pen: 28, touch: 48 };
@@ -14,7 +14,7 @@ export function words(branch, frequency, speed, unit, shownSpeed) {
   const { per_rev: ratio, ...margin } = perRev(frequency, speed);
   return [
     `${branch.label} at ${fieldNumber(shownSpeed, 4)} ${unit}`,
-    `${figures(frequency)} rad/s, ${figures(frequency / (2 * Math.PI))} Hz${ratio === null ? "" : `, ${ratio.toFixed(3)}/rev`}`,
+    `${figures(frequency)} rad/s, ${figures(inUnit(frequency, speed, "Hz"))} Hz${ratio === null ? "" : `, ${perRevWords(ratio)}/rev`}`,
     ...(ratio === null ? [] : [marginWords(margin, "/rev")]),
   ];
 }

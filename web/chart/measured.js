@@ -2,7 +2,7 @@
 
 import { at, make } from "../lib/dom.js";
 import { listFaults } from "../lib/faults.js";
-import { fieldNumber, figures } from "../lib/format.js";
+import { fieldNumber, figures, percentWords } from "../lib/format.js";
 import { inUnit } from "./frame.js";
 
 const LARGEST = 200_000;
@@ -96,12 +96,11 @@ export function startMeasured(store, client) {
       ...rows.map((point) => {
         const speed = point.speed_rad_s;
         const frequency = (value) => (value === null || Number.isNaN(inUnit(value, speed, unit)) ? "–" : figures(inUnit(value, speed, unit)));
-        const error = point.error_percent;
         const cells = [
           fieldNumber(inUnit(speed, 0, speedUnit)),
           frequency(point.frequency_rad_s),
           frequency(point.computed_rad_s),
-          error === null ? "–" : `${error < 0 ? "−" : "+"}${Math.abs(error).toFixed(Math.abs(error) < 0.1 ? 3 : 1)} %`,
+          percentWords(point.error_percent),
           point.source,
         ];
         return make("tr", {}, Object.assign(make("th", { textContent: point.label }), { scope: "row" }), ...cells.map((textContent) => make("td", { textContent })));

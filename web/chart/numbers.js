@@ -1,7 +1,7 @@
 // The chart as text: a table of its numbers for those who cannot see it, or want to read them off.
 
 import { at } from "../lib/dom.js";
-import { fieldNumber, figures, marginWords } from "../lib/format.js";
+import { closestOf, crossingWords, fieldNumber, figures, marginWords, perRevWords } from "../lib/format.js";
 import { inUnit } from "./frame.js";
 
 const WAIT_MS = 250;
@@ -32,10 +32,10 @@ function fanTables({ plots, report }) {
   const frequency = (value, at) => shown(inUnit(value, at, y.unit));
   const { speeds_rad_s: speeds, branches, crossings, coincident, nominal } = report;
   return [
-    table(`Distances to the nearest harmonic at nominal speed, ${speed(nominal.speed_rad_s)} ${x.unit}`, ["branch", "/rev", "nearest harmonic"], nominal.margins.map((margin) => [margin.label, margin.per_rev.toFixed(3), marginWords(margin, "/rev")])),
+    table(`Distances to the nearest harmonic at nominal speed, ${speed(nominal.speed_rad_s)} ${x.unit}`, ["branch", "/rev", "nearest harmonic"], nominal.margins.map((margin) => [margin.label, perRevWords(margin.per_rev), marginWords(margin, "/rev")])),
     table(`Crossings with harmonics up to ${report.harmonics}P`, ["crossing", `rotor speed [${x.unit}]`, `frequency [${y.unit}]`], [
-      ...coincident.map(({ label, harmonic }) => [`${label} × ${harmonic}P`, "every speed", "–"]),
-      ...crossings.map(({ label, harmonic, speed_rad_s, frequency_rad_s }) => [`${label} × ${harmonic}P`, speed(speed_rad_s), frequency(frequency_rad_s, speed_rad_s)]),
+      ...coincident.map((coincidence) => [crossingWords(coincidence), "every speed", "–"]),
+      ...crossings.map((crossing) => [crossingWords(crossing), speed(crossing.speed_rad_s), frequency(crossing.frequency_rad_s, crossing.speed_rad_s)]),
     ]),
     table(`Frequencies [${y.unit}] over rotor speed`, [x.unit, ...branches.map(({ label }) => label)], speeds.map((at, i) => [speed(at), ...branches.map((branch) => frequency(branch.frequency_rad_s[i], at))])),
   ];
@@ -70,10 +70,9 @@ export function summary({ kind, report }) {
     return `Frequencies of ${series.length} modes by the number of functions, at ${fieldNumber(inUnit(report.speed_rad_s, 0, "rpm"))} rpm.`;
   }
   const { branches, nominal, harmonics } = report;
-  const near = nominal.margins.filter((margin) => margin.nearest_harmonic <= harmonics);
+  const closest = closestOf(nominal.margins, harmonics);
   const count = `${branches.length} ${branches.length === 1 ? "branch" : "branches"}`;
-  if (near.length === 0) return `${count}, none near a harmonic up to ${harmonics}P at nominal speed.`;
-  const closest = near.reduce((a, b) => (Math.abs(b.margin_per_rev) < Math.abs(a.margin_per_rev) ? b : a));
+  if (closest === null) return `${count}, none near a harmonic up to ${harmonics}P at nominal speed.`;
   return `${count}; at nominal speed ${closest.label} is closest to a harmonic, ${marginWords(closest, "/rev")}.`;
 }
 

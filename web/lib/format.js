@@ -39,6 +39,24 @@ export function marginWords({ nearest_harmonic: harmonic, margin_per_rev: distan
   return `${words}${unit} ${distance < 0 ? "below" : "above"} ${harmonic}P`;
 }
 
+/** A frequency over the rotor speed: "2.981"; nothing is known at rest. */
+export const perRevWords = (perRev) => (perRev === null ? "–" : perRev.toFixed(3));
+
+/** Where a branch meets a harmonic: "4F × 9P". */
+export const crossingWords = ({ label, harmonic }) => `${label} × ${harmonic}P`;
+
+/** The crossings of a fan chart within a band, two ratios of nominal speed, the slowest first. */
+export function crossingsWithin({ crossings, nominal }, band) {
+  const [from, to] = band.map((ratio) => ratio * nominal.speed_rad_s);
+  return crossings.filter(({ speed_rad_s: speed }) => speed >= from && speed <= to).sort((a, b) => a.speed_rad_s - b.speed_rad_s);
+}
+
+/** Of several modes the one closest to a harmonic up to the last that is looked at; null where none is near one, as at rest. */
+export function closestOf(modes, harmonics = Infinity) {
+  const near = modes.filter((mode) => mode.nearest_harmonic !== null && mode.nearest_harmonic <= harmonics);
+  return near.reduce((a, b) => (a !== null && Math.abs(a.margin_per_rev) <= Math.abs(b.margin_per_rev) ? a : b), null);
+}
+
 /** Bounds further apart than this share of the frequency: not converged. */
 const CONVERGED = 1e-3;
 
@@ -52,12 +70,12 @@ function roundedUp(value) {
   return `${digit}·10${[...String(power)].map((letter) => RAISED[letter]).join("")}`;
 }
 
-/** "±2·10⁻⁹" around the frequency, or both bounds where they are far apart. */
-export function boundsWords({ frequency_rad_s: frequency, lower_rad_s: lower, upper_rad_s: upper }) {
+/** "±2·10⁻⁹" around the frequency, with a unit after it where one is given, or both bounds where they are far apart. */
+export function boundsWords({ frequency_rad_s: frequency, lower_rad_s: lower, upper_rad_s: upper }, unit = "") {
   if (lower === null || upper === null) return "–";
   if (!(upper - lower <= CONVERGED * frequency || upper === lower)) return `${figures(lower)}\u00a0…\u00a0${figures(upper)}, not\u00a0converged`;
   const half = Math.max(frequency - lower, upper - frequency, 0);
-  return frequency === 0 && half === 0 ? "exact" : `±${roundedUp(half)}`;
+  return frequency === 0 && half === 0 ? "exact" : `±${roundedUp(half)}${unit}`;
 }
 
 /** How far a value is from another, in % of that; null where that cannot be said. */
@@ -68,15 +86,27 @@ export function percent(value, reference) {
   return Number.isFinite(error) ? error : null;
 }
 
-/** How far the paper's functions are from the converged frequency: "+0.098 %". */
-export function paperWords({ classical_rad_s: classical, converged_rad_s: converged }) {
-  const error = percent(classical, converged);
-  if (error === null) return "–";
-  if (error === 0) return "0 %";
-  const size = Math.abs(error);
+/** A difference in % with its sign and two figures: "+0.098 %", "−12 %". */
+export function percentWords(difference) {
+  if (difference === null) return "–";
+  if (difference === 0) return "0 %";
+  const size = Math.abs(difference);
   if (size < 1e-4) return "<0.0001 %";
   const decimals = Math.min(4, Math.max(0, 1 - Math.floor(Math.log10(size))));
-  return `${error < 0 ? "−" : "+"}${size.toFixed(decimals)} %`;
+  return `${difference < 0 ? "−" : "+"}${size.toFixed(decimals)} %`;
+}
+
+/** How far the paper's functions are from the converged frequency: "+0.098 %". */
+export const paperWords = ({ classical_rad_s: classical, converged_rad_s: converged }) => percentWords(percent(classical, converged));
+
+/** What a word must not begin with in a spreadsheet, which takes such words for formulas, and some wide letters for the narrow ones. */
+const FORMULA = /^[=+\-@\t\r\n\uff1d\uff0b\uff0d\uff20]/;
+
+/** A cell for a spreadsheet: every digit of a number; a word that begins like a formula with an apostrophe before it; nothing for null. */
+export function cellText(value) {
+  if (typeof value === "number") return String(value);
+  const text = String(value ?? "");
+  return FORMULA.test(text) ? `'${text}` : text;
 }
 
 /** The assumed functions in words. */

@@ -1,11 +1,11 @@
 // The chosen mode: its shape along the span, its moment, and the blade in motion.
 
 import { at, element, make } from "../lib/dom.js";
-import { boundsWords, fieldNumber, figures, marginWords, paperWords } from "../lib/format.js";
+import { boundsWords, fieldNumber, figures, marginWords, paperWords, perRevWords } from "../lib/format.js";
 import { shownSpeed } from "../lib/speed-words.js";
 import { optionsOf } from "../solver/keep-up.js";
 import { STAGE, camera, chordAt, hubPaths, platePaths } from "./plate.js";
-import { largest, nodeWords, nodesOf, pace } from "./shape.js";
+import { largest, nodeWords, pace } from "./shape.js";
 
 const POINTS = 121;
 /** The plate is drawn from every so many points. */
@@ -24,8 +24,8 @@ const YIELD_MS = 200;
 /** The chosen mode in one line, with what the table has no room for. */
 export function modeWords(mode, functions) {
   const parts = [`${figures(mode.frequency_rad_s)} rad/s`, `${figures(mode.frequency_hz)} Hz`];
-  if (mode.per_rev !== null) parts.push(`${mode.per_rev.toFixed(3)}/rev, ${marginWords(mode)}`);
-  parts.push(`bounds ${boundsWords(mode)}${boundsWords(mode).startsWith("±") ? " rad/s" : ""}`);
+  if (mode.per_rev !== null) parts.push(`${perRevWords(mode.per_rev)}/rev, ${marginWords(mode)}`);
+  parts.push(`bounds ${boundsWords(mode, " rad/s")}`);
   if (mode.classical_rad_s !== null) parts.push(`the paper’s ${functions} functions ${figures(mode.classical_rad_s)} rad/s, ${paperWords(mode)}`);
   return parts.join("; ");
 }
@@ -164,7 +164,7 @@ export function startMotion(store, client) {
     const project = camera(shown, dof);
     const even = !relative.checked;
     stage = { dof, at: coarse(ratio), shape: coarse(unit), project, pace: pace({ frequency: mode.frequency_rad_s, speed: state.modes.speed_rad_s, nominal: state.fan?.nominal.speed_rad_s ?? 0 }, even) };
-    const nodes = nodesOf(ratio, shape.displacement);
+    const nodes = shape.nodes_m.map((r) => r / radius);
     host.dataset.dof = dof;
     host.dataset.view = shown;
     for (const [name, d] of Object.entries(hubPaths(ratio[0], project))) paths[name].setAttribute("d", d);

@@ -2,7 +2,7 @@
 // little less of what holds the mode, and a straight line through both.
 
 import { at } from "../lib/dom.js";
-import { NEUTRAL, scaled } from "../lib/scale.js";
+import { percentWords } from "../lib/format.js";
 import { optionsOf } from "../solver/keep-up.js";
 import { NEAR, nearModes } from "./nearness.js";
 
@@ -17,17 +17,13 @@ const HARDLY = 1e-3;
 const MOST_MODES = 3;
 const IDLE_MS = 300;
 
-/** What holds a mode of this kind, the usual first: [name, the blade with `factor` of it]. */
+/** What holds a mode of this kind, the usual first: [name, its path in the blade file]. */
 function levers(blade, dof) {
   const name = NAMES[dof];
-  const stiffness = `${dof}_stiffness`;
-  const found = [[`${name} stiffness`, (factor) => scaled(blade, { ...NEUTRAL, factors: { ...NEUTRAL.factors, [stiffness]: factor } })]];
+  const found = [[`${name} stiffness`, `distribution.${dof}_stiffness`]];
   const { root, spring, offset, offset_ratio: ratio } = blade[dof] ?? {};
-  if (spring > 0) found.push([`${name} spring`, (factor) => scaled(blade, { ...NEUTRAL, springs: { [dof]: factor } })]);
-  if (root !== "hingeless" && dof !== "torsion" && (offset > 0 || ratio > 0)) {
-    const place = offset ?? ratio * blade.rotor.radius;
-    found.push([`${name} hinge offset`, (factor) => scaled(blade, { ...NEUTRAL, offsets: { [dof]: place * factor } })]);
-  }
+  if (spring > 0) found.push([`${name} spring`, `${dof}.spring`]);
+  if (root !== "hingeless" && dof !== "torsion" && (offset > 0 || ratio > 0)) found.push([`${name} hinge offset`, `${dof}.offset`]);
   return found;
 }
 
@@ -44,7 +40,6 @@ export function changeFor(margin, slope, wanted = NEAR) {
 }
 
 const twoFigures = (value) => String(Number(Math.abs(value).toPrecision(2)));
-const signed = (percent) => `${percent < 0 ? "−" : "+"}${twoFigures(percent)} %`;
 
 /**
  * What moves a mode, in words, from what each lever does to it: "Flap stiffness +1 % moves 3F up by
@@ -56,7 +51,7 @@ export function moverWords({ label, margin_per_rev: margin }, pulls) {
   for (const { name, slope } of pulls.filter(({ slope }) => Math.abs(slope) >= HARDLY)) {
     const change = changeFor(margin, slope);
     const moves = `${name} +1 % moves ${label} ${slope < 0 ? "down" : "up"} by about ${twoFigures(slope)}/rev`;
-    sentences.push(change === null ? `${moves}.` : `${moves}; about ${signed(change)} brings the margin to ${NEAR}/rev.`);
+    sentences.push(change === null ? `${moves}.` : `${moves}; about ${percentWords(change)} brings the margin to ${NEAR}/rev.`);
   }
   return sentences.join(" ");
 }
@@ -69,11 +64,11 @@ export function startMovers(store, client) {
   let upTo; // the last harmonic that is looked at
 
   /** One lever on one mode; null where a newer question has come in. */
-  async function pull(state, mode, [name, change]) {
+  async function pull(state, mode, [name, what]) {
     const options = { ...optionsOf("modes", { ...state, speed: state.solvedSpeed }), dof: [mode.dof], modes: mode.number };
     const ends = [];
     for (const share of [-SHARE, SHARE]) {
-      const result = await client.call("sensitivity", "modes", change(1 + share), options);
+      const result = await client.call("sensitivity", "modes", { blade: state.blade, changes: [{ what, scale: 1 + share }] }, options);
       if (result === null || current !== state.modes) return null;
       const moved = result.status === "ok" ? result.value.modes.find(({ label }) => label === mode.label) : null;
       ends.push(moved ? [100 * share, moved.per_rev] : null);

@@ -1,23 +1,4 @@
-// What a mode shape says in numbers: nodes, the largest value, and the words for them.
-
-/** Values smaller than this share of the largest count as none. */
-const NOTHING = 1e-9;
-
-/** Where the values pass through zero inside the span, by r/R; `at` and `values` go from root to tip. */
-export function nodesOf(at, values) {
-  const floor = NOTHING * Math.max(...values.map(Math.abs));
-  const nodes = [];
-  let last = -1; // the last place with a sign
-  values.forEach((value, i) => {
-    if (!(Math.abs(value) > floor)) return;
-    if (last >= 0 && Math.sign(value) !== Math.sign(values[last])) {
-      const share = values[last] / (values[last] - value);
-      nodes.push(at[last] + share * (at[i] - at[last]));
-    }
-    last = i;
-  });
-  return nodes;
-}
+// What a mode shape says in words, its largest value, and how fast it moves on the page.
 
 /** The value farthest from zero and where it is; null where all are zero. */
 export function largest(at, values) {

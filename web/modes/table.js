@@ -1,7 +1,7 @@
 // The frequency table at one rotor speed. Its rows are the choice of a mode.
 
 import { write } from "../lib/dom.js";
-import { boundsWords, figures, marginWords, paperWords } from "../lib/format.js";
+import { boundsWords, closestOf, figures, marginWords, paperWords, perRevWords } from "../lib/format.js";
 import { nearness } from "./nearness.js";
 
 function newRow(mode, onChoose) {
@@ -28,12 +28,11 @@ function newRow(mode, onChoose) {
 }
 
 function fill(row, mode, harmonics) {
-  const perRev = mode.per_rev === null ? "–" : mode.per_rev.toFixed(3);
   const bounds = [mode.lower_rad_s, mode.upper_rad_s];
   const shown = [
     [figures(mode.frequency_rad_s), mode.frequency_rad_s],
     [figures(mode.frequency_hz), mode.frequency_hz],
-    [perRev, mode.per_rev ?? ""],
+    [perRevWords(mode.per_rev), mode.per_rev ?? ""],
     [boundsWords(mode), bounds.includes(null) ? "" : bounds.join(" … ")],
     [paperWords(mode), mode.classical_rad_s ?? ""],
   ];
@@ -75,9 +74,8 @@ export function showChosen(body, chosen) {
 
 /** One sentence on the mode nearest to one of the harmonics looked at; empty where none is near one, as at rest. */
 export function closestWords(modes, speed, harmonics = Infinity) {
-  const near = modes.filter((mode) => mode.nearest_harmonic !== null && mode.nearest_harmonic <= harmonics);
-  if (near.length === 0) return "";
-  const closest = near.reduce((a, b) => (Math.abs(b.margin_per_rev) < Math.abs(a.margin_per_rev) ? b : a));
+  const closest = closestOf(modes, harmonics);
+  if (closest === null) return "";
   return `${closest.label} is ${marginWords(closest, "/rev")} at ${speed}, the closest${harmonics === Infinity ? "" : ` up to ${harmonics}P`}.`;
 }
 

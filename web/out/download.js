@@ -1,6 +1,6 @@
 // Files for the user: chart, numbers, blade. Everything is made in the page.
 
-import { percent } from "../lib/format.js";
+import { cellText, percent } from "../lib/format.js";
 
 /** Hands `content` (text or Blob) to the browser as a file. */
 export function download(name, content, type) {
@@ -20,9 +20,9 @@ export function fileName(blade, what, extension) {
 
 const quote = (text) => (/[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
 
-/** CSV of rows of numbers and texts; null is an empty cell. Numbers keep every digit. */
+/** CSV of rows of numbers and texts, which no spreadsheet takes for formulas; null is an empty cell. Numbers keep every digit. */
 export function csv(header, rows) {
-  return [header, ...rows].map((row) => row.map((value) => quote(value === null ? "" : String(value))).join(",") + "\n").join("");
+  return [header, ...rows].map((row) => row.map((value) => quote(cellText(value))).join(",") + "\n").join("");
 }
 
 /** One row per rotor speed, one column per branch. */

@@ -2,8 +2,8 @@
 
 import { at } from "../lib/dom.js";
 import { DOFS } from "../lib/dof-toggles.js";
-import { basisWords, boundsWords, fieldNumber, figures, marginWords, paperWords } from "../lib/format.js";
-import { PROPERTIES, isNeutral } from "../lib/scale.js";
+import { basisWords, boundsWords, crossingWords, crossingsWithin, fieldNumber, figures, marginWords, paperWords, perRevWords } from "../lib/format.js";
+import { isNeutral } from "../lib/what-if.js";
 import { unitFactor } from "../lib/speed-words.js";
 import { parsedSvg } from "../lib/trusted.js";
 import { unitOf } from "../lib/unit-words.js";
@@ -27,6 +27,9 @@ const NAMES = {
   mass_offset: ["mass offset", "length"],
   twist: ["twist", "angle"],
 };
+
+/** What a slider scales, where that is more than its name says. */
+const SCALED = { mass: "mass and polar inertia" };
 
 const make = (tag, text = "", className = "") => Object.assign(document.createElement(tag), { textContent: text, className });
 const number = (value) => (typeof value === "number" ? fieldNumber(value, 6).replace("-", "−") : String(value ?? ""));
@@ -61,7 +64,7 @@ export function stationColumns({ distribution, units }) {
   const columns = [];
   const constants = [];
   let radii = null;
-  for (const property of PROPERTIES) {
+  for (const property of Object.keys(NAMES)) {
     const given = distribution[property];
     if (given === undefined) continue;
     const [name, kind] = NAMES[property];
@@ -94,10 +97,10 @@ function stations(blade, most) {
 }
 
 /** What the what-if sliders change, in words. */
-export function whatIfWords({ factors, from, to, offsets, springs }, units) {
+export function whatIfWords({ factors, from, to, offsets, springs, length: unit }, units) {
   const times = (table, name) => Object.entries(table).filter(([, factor]) => factor !== 1).map(([key, factor]) => `${name(key)} × ${fieldNumber(factor, 4)}`);
-  const length = unitOf("length", units);
-  const scaledWords = times(factors, (key) => key.replace("_", " "));
+  const length = unit ?? unitOf("length", units);
+  const scaledWords = times(factors, (key) => SCALED[key] ?? key.replace("_", " "));
   if (scaledWords.length > 0 && (from !== null || to !== null)) scaledWords.push(`from ${from === null ? "root" : number(from)} to ${to === null ? "tip" : `${number(to)} ${length}`}`);
   return [...scaledWords, ...Object.entries(offsets).map(([dof, offset]) => `${dof} offset ${number(offset)} ${length}`), ...times(springs, (dof) => `${dof} spring`)].join(", ");
 }
@@ -126,7 +129,7 @@ function frequencies({ modes, fan }) {
       mode.label,
       figures(mode.frequency_rad_s),
       figures(mode.frequency_hz),
-      mode.per_rev === null ? "–" : mode.per_rev.toFixed(3),
+      perRevWords(mode.per_rev),
       boundsWords(mode),
       mode.classical_rad_s === null ? "–" : figures(mode.classical_rad_s),
       paperWords(mode),
@@ -143,13 +146,12 @@ function crossings(state) {
   const { fan, band, speedUnit } = state;
   if (fan === null) return [];
   const nominal = fan.nominal.speed_rad_s;
-  const [from, to] = band.map((ratio) => ratio * nominal);
-  const inBand = fan.crossings.filter(({ speed_rad_s: speed }) => speed >= from && speed <= to).sort((a, b) => a.speed_rad_s - b.speed_rad_s);
+  const inBand = crossingsWithin(fan, band);
   const words = `${band[0]} to ${band[1]} of nominal speed`;
   if (inBand.length === 0) return [make("p", `No crossing with harmonics up to ${fan.harmonics}P between ${words}.`)];
   const factor = unitFactor(state, speedUnit);
   const shown = inBand.slice(0, MOST.beside - Math.min(MOST.modes, state.modes.modes.length));
-  const rows = shown.map((crossing) => [`${crossing.label} × ${crossing.harmonic}P`, fieldNumber(crossing.speed_rad_s / factor, 4), (crossing.speed_rad_s / nominal).toFixed(3), figures(crossing.frequency_rad_s)]);
+  const rows = shown.map((crossing) => [crossingWords(crossing), fieldNumber(crossing.speed_rad_s / factor, 4), (crossing.speed_rad_s / nominal).toFixed(3), figures(crossing.frequency_rad_s)]);
   const parts = [table(`Crossings, ${words}`, ["", speedUnit, "of nominal", "rad/s"], rows)];
   if (shown.length < inBand.length) parts.push(make("p", `The first ${shown.length} of ${inBand.length} crossings.`));
   return parts;

@@ -1,6 +1,6 @@
 // Keeps results in step with the state: what changed decides what is solved again.
 
-import { isNeutral, scaled } from "../lib/scale.js";
+import { changesOf, isNeutral } from "../lib/what-if.js";
 
 /** Keys of the blade file: a fault whose path starts with one is the blade's, others are options'. */
 const BLADE_KEYS = /^(schema|name|notes|source|units|rotor|flap|lag|torsion|distribution)\b/;
@@ -39,6 +39,17 @@ const isOf = (state, now) => state.opened === now.opened && kindOf(state.tab) ==
 export function startKeepingUp(store, client) {
   const faultsOf = { modes: [], draw: [] };
 
+  // What is solved: `given` to the package as it takes it, and `blade`, the changed one, once that has made it.
+  // The same as long as the blade and its changes are, so that `blade` of the state is, too.
+  let asked = { doc: null };
+  function solvedOf({ doc, whatIf }) {
+    if (asked.doc !== doc || asked.whatIf !== whatIf) {
+      const plain = isNeutral(whatIf);
+      asked = { doc, whatIf, given: plain ? doc : { blade: doc, changes: changesOf(whatIf) }, blade: plain ? doc : null };
+    }
+    return asked;
+  }
+
   /** Takes a result of one lane into the state; a superseded one (null) is dropped. */
   function take(lane, solved, result, accept) {
     if (result === null) return;
@@ -48,12 +59,13 @@ export function startKeepingUp(store, client) {
     const only = (good) => (distinct.length === 0 ? NONE : distinct.filter(good));
     const faults = only((fault) => BLADE_KEYS.test(fault.path));
     const solveFaults = only((fault) => !BLADE_KEYS.test(fault.path));
-    store.set({ faults, solveFaults, ...(result.status === "ok" ? { blade: solved, warnings: sameOr(store.get().warnings, result.warnings), ...accept(result.value) } : {}) });
+    solved.blade ??= result.blade ?? null;
+    store.set({ faults, solveFaults, ...(result.status === "ok" ? { blade: solved.blade, warnings: sameOr(store.get().warnings, result.warnings), ...accept(result.value) } : {}) });
   }
 
   async function modes(state, solved) {
     const { opened, speed } = state;
-    const result = await client.call("modes", "modes", solved, optionsOf("modes", state));
+    const result = await client.call("modes", "modes", solved.given, optionsOf("modes", state));
     if (opened === store.get().opened) take("modes", solved, result, (value) => ({ modes: value, solvedSpeed: speed }));
   }
 
@@ -65,7 +77,7 @@ export function startKeepingUp(store, client) {
     const looks = looksOf(kind, state);
     const ours = held;
     if (kind === "fan" && state.window === null) looks.frequencies = held.axis;
-    const result = await client.call("draw", "chart_svg", kind, solved, looks);
+    const result = await client.call("draw", "chart_svg", kind, solved.given, looks);
     if (kind === "fan" && state.window === null && result?.status === "ok") {
       const { from, to } = result.value.plots[0].y;
       ours.axis ??= [from, to];
@@ -95,9 +107,9 @@ export function startKeepingUp(store, client) {
     const chart = kind === "fan" ? any("dofs", "band", "measured", "window") : any("speed", "closeDofs");
     if (any("doc", "options", "frequencyUnit", "dofs", "measured", "window") || (any("whatIf") && isNeutral(state.whatIf))) held = { axis: null };
     if (solves || looks || chart || any("speed")) {
-      const solved = scaled(state.doc, state.whatIf);
+      const solved = solvedOf(state);
       if (solves || looks || chart) draw(state, solved);
-      if (solves && kind !== "fan") numbers("fan", state, solved);
+      if (solves && kind !== "fan") numbers("fan", state, solved.given);
       if (solves || any("speed")) modes(state, solved);
     }
     if (isNeutral(state.whatIf)) {

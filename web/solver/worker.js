@@ -3,6 +3,8 @@
 
 import * as bladefan from "../pkg/bladefan_wasm.js";
 
+import { callChanged } from "./changed.js";
+
 const text = (error) => (error instanceof Error ? error.message : String(error));
 
 onmessage = ({ data: { module, id, name, args } }) => {
@@ -16,7 +18,7 @@ onmessage = ({ data: { module, id, name, args } }) => {
     return;
   }
   try {
-    postMessage({ id, result: bladefan[name](...args) });
+    postMessage({ id, result: callChanged(bladefan, name, args) });
   } catch (error) {
     postMessage({ id, crashed: text(error) });
   }

@@ -125,16 +125,38 @@ function putValue(doc, sheet, row, id, value) {
   if (!same) setCell(doc, sheet, row, id, value);
 }
 
-/** All stations new: named columns from the block; other lists keep their radii as radii of their own. */
-export function replaceAll(doc, to, rows) {
-  doc.distribution ??= {};
+/** Lists that a block of columns leaves out keep the radii that they have, as radii of their own; gives their names. */
+function keepRadii(doc, to) {
   const table = doc.distribution;
   const kept = ofForm(doc, "list").filter((id) => !to.includes(id));
   for (const id of kept) table[id] = { r: [...(table.r ?? [])], values: table[id] };
+  return kept;
+}
+
+/** Before a named block goes in at a row: where it moves common radii, what it leaves out is not moved along. Gives its names. */
+export function apart(doc, sheet, row, to, rows) {
+  if (sheet !== COMMON || row === WHOLE) return [];
+  const r = listOf(doc, COMMON, RADIUS) ?? [];
+  const k = to.indexOf(RADIUS);
+  return rows.every((values, i) => values[k] === r[row + i]) ? [] : keepRadii(doc, to);
+}
+
+/** All stations new: named columns from the block. Notes and source were of the blade before. Gives the names of what keeps its radii. */
+export function replaceAll(doc, to, rows) {
+  doc.distribution ??= {};
+  const table = doc.distribution;
+  const kept = keepRadii(doc, to);
   to.forEach((id, k) => {
     if (id !== null) table[id] = rows.map((values) => values[k]);
   });
+  forgetOrigin(doc);
   return kept;
+}
+
+/** Where the numbers came from is not where others come from. */
+export function forgetOrigin(doc) {
+  delete doc.notes;
+  delete doc.source;
 }
 
 /** Adds a row before `row`: between two radii in the middle, its values interpolated; else empty. */

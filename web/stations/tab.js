@@ -29,13 +29,13 @@ export function startStations(store, blade) {
   const idsAt = () => span.columnsOf(sheet);
 
   /** Changes the blade, and says why where it was not changed. */
-  function change(work, key = null) {
+  function change(work, more = {}) {
     let words = null;
     blade.edit((copy) => {
       const before = structuredClone(copy);
       words = work(copy) ?? null;
       if (words !== null) restore(copy, before);
-    }, key);
+    }, null, more);
     if (words !== null) say(words);
     return words === null;
   }

@@ -1,6 +1,7 @@
 // Reads a block of cells from a spreadsheet or CSV text. It never guesses: what may be read in two
 // ways is refused with words.
 
+import { cellText } from "../../lib/format.js";
 import { columnOf, headerUnit, isRatio } from "../columns.js";
 
 /** Rows that a sheet takes. */
@@ -100,7 +101,8 @@ function decimalOf(all, separator) {
 
 function number(cell) {
   const plain = minus(cell);
-  if (plain === "" || !(POINT.test(plain) || COMMA.test(plain))) return cell;
+  // An apostrophe keeps a spreadsheet from taking words for a formula; it is none of them.
+  if (plain === "" || !(POINT.test(plain) || COMMA.test(plain))) return cell.replace(/^'(?=[=+\-@])/, "");
   const value = Number(plain.replace(",", "."));
   return Number.isFinite(value) ? value : cell;
 }
@@ -166,5 +168,5 @@ export function blockWords({ rows, header, decimal }) {
 /** Cells as text for a spreadsheet, every digit kept. */
 export function writeBlock(rows) {
   const quote = (text) => (/["\t\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
-  return rows.map((row) => row.map((value) => quote(String(value ?? ""))).join("\t")).join("\n");
+  return rows.map((row) => row.map((value) => quote(cellText(value))).join("\t")).join("\n");
 }

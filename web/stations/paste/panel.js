@@ -2,10 +2,19 @@
 
 import { make } from "../../lib/dom.js";
 import { PROPERTIES, RADIUS, column, isUnit, unitOfColumn } from "../columns.js";
-import { COMMON, WHOLE, columnsOf, putBlock, replaceAll, rowCount } from "../span.js";
+import { NEUTRAL } from "../../lib/what-if.js";
+import { COMMON, WHOLE, apart, columnsOf, forgetOrigin, putBlock, replaceAll, rowCount } from "../span.js";
 import { MOST_ROWS, blockWords, readBlock, writeBlock } from "./block.js";
 
+const NO_RADII = "No column of radii: name one r or radius.";
 const listWords = (names) => (names.length < 2 ? names.join("") : `${names.slice(0, -1).join(", ")} and ${names.at(-1)}`);
+
+/** What a block left as it was, on the radii that it had. */
+function keptWords(ids) {
+  if (ids.length === 0) return "";
+  const one = ids.length === 1;
+  return `; ${listWords(ids.map((id) => column(id).name))} ${one ? "keeps its radii" : "keep their radii"} in a sheet of ${one ? "its" : "their"} own`;
+}
 
 /** The columns that a block's names stand for: {to} with null for those left out, or {words}. */
 export function mapped(header, ids) {
@@ -61,19 +70,28 @@ export function startPasting({ store, change, say, sheet, grid, jump }) {
     const width = rows[0].length;
     const names = header === null ? { to: ids.slice(left, left + width) } : mapped(header, ids);
     if (names.words) return say(names.words);
-    if (names.to.length < width) return say(`The block has ${width} columns; ${names.to.length === 1 ? "only 1 is" : `only ${names.to.length} are`} left from this cell on. Nothing was pasted.`);
     const from = top === WHOLE && rows.length > 1 ? 0 : top;
-    if (!change((copy) => putBlock(copy, sheet(), top, names.to, rows, MOST_ROWS))) return undefined;
+    if (names.to.length < width) return say(`The block has ${width} columns; ${names.to.length === 1 ? "only 1 is" : `only ${names.to.length} are`} left from this cell on. Nothing was pasted.`);
+    if (header !== null && !names.to.includes(RADIUS)) return say(`${NO_RADII} Without a row of names a block goes in at the focused cell. Nothing was pasted.`);
+    // Every station from the block: that is another blade.
+    const all = names.to.includes(RADIUS) && names.to.some((id) => id !== null && id !== RADIUS && !column(id).optional) && from === 0 && rows.length >= rowCount(store.get().doc, sheet()) && sheet() === COMMON && rows.length > 1;
+    let kept = [];
+    const work = (copy) => {
+      kept = header === null ? [] : apart(copy, sheet(), from, names.to, rows);
+      if (all) forgetOrigin(copy);
+      return putBlock(copy, sheet(), top, names.to, rows, MOST_ROWS);
+    };
+    if (!change(work, all ? { whatIf: NEUTRAL } : {})) return undefined;
     grid.go(from, header === null ? left : 0, false);
     if (rows.length > 1 || width > 1) {
       const last = header === null ? left + width - 1 : ids.length - 1;
       grid.select(from + rows.length - 1, last);
     }
-    return say(`${sentence({ ...block, rows }, names.to, units, "pasted")}.`);
+    return say(`${sentence({ ...block, rows }, names.to, units, "pasted")}${keptWords(kept)}.`);
   }
 
   function sentence(block, to, units, done, named = "") {
-    const empty = block.rows.flat().filter((value) => value === "").length;
+    const empty = block.rows.flatMap((row) => row.filter((value, k) => value === "" && to[k] !== null)).length;
     const notes = block.header === null ? [] : headerNotes(block.header, to, units);
     if (empty > 0) notes.push(`${empty} empty ${empty === 1 ? "cell is a fault" : "cells are faults"}`);
     const [size, ...more] = blockWords(block).split("; ");
@@ -89,7 +107,7 @@ export function startPasting({ store, change, say, sheet, grid, jump }) {
     if (block.header === null && width > ids.length) return { words: `The table has ${width} columns, the sheet ${ids.length}: name them in a first row.` };
     const names = block.header === null ? { to: ids.slice(0, width) } : mapped(block.header, ids);
     if (names.words) return names;
-    if (!names.to.includes(RADIUS)) return { words: "No column of radii: name one r or radius." };
+    if (!names.to.includes(RADIUS)) return { words: NO_RADII };
     if (width < 2) return { words: "A table has radii and at least one property." };
     return { block, to: names.to };
   }
@@ -135,9 +153,8 @@ export function startPasting({ store, change, say, sheet, grid, jump }) {
     let kept = [];
     change((copy) => {
       kept = replaceAll(copy, to, block.rows);
-    });
-    const rest = kept.length === 0 ? "" : `; ${listWords(kept.map((id) => column(id).name))} ${kept.length === 1 ? "keeps its radii" : "keep their radii"} in a sheet of ${kept.length === 1 ? "its" : "their"} own`;
-    say(`${sentence(block, to, store.get().doc.units, "pasted")}${rest}.`);
+    }, { whatIf: NEUTRAL });
+    say(`${sentence(block, to, store.get().doc.units, "pasted")}${keptWords(kept)}.`);
     close();
     jump({ sheet: COMMON, row: 0, id: RADIUS });
   });
