@@ -124,8 +124,15 @@ impl Basis {
         rules: &GaussRules,
     ) -> Option<Bounds> {
         let slack = if matches!(self, Self::Piecewise(_)) { TAPER_SLACK } else { 1.0 };
-        let from_tip = FromTip::new(self.grid(), rules);
-        bounds(self.grid(), &from_tip, &self.fields(modes), &eigenvalues(modes), reference, speed_squared, slack)
+        let own;
+        let from_tip = match self {
+            Self::Piecewise(converged) => converged.from_tip(),
+            Self::Classical(_) => {
+                own = FromTip::new(self.grid(), rules);
+                &own
+            }
+        };
+        bounds(self.grid(), from_tip, &self.fields(modes), &eigenvalues(modes), reference, speed_squared, slack)
     }
 }
 

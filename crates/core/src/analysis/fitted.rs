@@ -7,11 +7,11 @@ use super::unsolvable;
 use crate::blade::Blade;
 use crate::converged::{Converged, MOST_FUNCTIONS, TOLERANCE, Wanted, Work};
 use crate::dof::Dof;
-use crate::fan::{Curves, sample};
+use crate::fan::{Checked, Curves, sample};
 use crate::fault::Faults;
 use crate::modes::Mode;
 use crate::numerics::quadrature::GaussRules;
-use crate::numerics::scalar::maximum;
+use crate::numerics::scalar::{is_above, maximum};
 use alloc::vec::Vec;
 
 /// Most times the functions are made anew with more speeds among those that they are found at.
@@ -64,16 +64,16 @@ pub(super) fn fitted(
         };
         let many = basis.matrices().count() + ADDED * settings.modes > MOST_FUNCTIONS;
         let last = attempt == MOST_ATTEMPTS || many || work.left() <= 0.0;
-        let (curves, checked) = if basis.matrices().count() <= CHECKED_EVERYWHERE {
-            let residuals = converged.residuals(rules);
-            let error = |mode: &Mode, s: f64| residuals.error(mode.coordinates.as_slice(), mode.eigenvalue, s);
+        let few = basis.matrices().count() <= CHECKED_EVERYWHERE;
+        let Checked { curves, errors } = if let Some(residuals) = converged.residuals().filter(|_| few) {
+            let error = |q: &[f64], value: f64, s: f64| residuals.error(q, value, s);
             let poor = if last { f64::INFINITY } else { POOR };
             Curves::fit_checked(basis.matrices(), &at_rest, range, work.left(), poor, error).map_err(unsolvable)?
         } else {
             let squares = sample(&at_rest, range, LOOKED_AT);
-            (None, squares.into_iter().map(|s| (s, f64::INFINITY)).collect())
+            Checked { curves: None, errors: squares.into_iter().map(|s| (s, f64::INFINITY)).collect() }
         };
-        let (worst, poor) = poor(converged, checked, settings.modes, rules)?;
+        let (worst, poor) = poor(converged, errors, settings.modes)?;
         let known = also_at.len();
         also_at.extend(poor);
         let better = also_at.len() > known && !last;
@@ -91,21 +91,16 @@ pub(super) fn fitted(
 }
 
 /// The largest error at the Ω² that were looked at, and where the functions are to be better.
-fn poor(
-    converged: &Converged,
-    mut checked: Vec<(f64, f64)>,
-    count: usize,
-    rules: &GaussRules,
-) -> Result<(f64, Vec<f64>), Faults> {
-    checked.retain(|(_, error)| !(*error <= TOLERANCE));
+fn poor(converged: &Converged, mut checked: Vec<(f64, f64)>, count: usize) -> Result<(f64, Vec<f64>), Faults> {
+    checked.retain(|(_, error)| is_above(*error, TOLERANCE));
     checked.sort_by(|a, b| b.1.total_cmp(&a.1));
     let (mut worst, mut poor) = (0.0, Vec::<f64>::new());
     for (s, _) in checked.into_iter().take(LOOKED_AT) {
         // What is left of large sums may be rounding alone.
-        let error = converged.error_at(s, count, rules).map_err(|cause| super::basis::failed(converged, cause))?;
+        let error = converged.error_at(s, count).map_err(|cause| super::basis::failed(converged, cause))?;
         worst = maximum(worst, error);
         let apart = poor.iter().all(|other| (other - s).abs() > APART * other.max(s));
-        if !(error <= TOLERANCE) && apart && poor.len() < ADDED {
+        if is_above(error, TOLERANCE) && apart && poor.len() < ADDED {
             poor.push(s);
         }
     }

@@ -83,8 +83,8 @@ fn form(element: &Local, displacements: &[Vec<f64>], eigenvalue: f64, speed_squa
     for j in 0..n {
         let load: Vec<f64> =
             element.weight.iter().zip(element.inertia).zip(&displacements[j]).map(|((w, m), u)| w * m * u).collect();
-        for i in j..n {
-            form.add(i, j, -eigenvalue * dot(&load, &displacements[i]));
+        for (i, other) in displacements.iter().enumerate().skip(j) {
+            form.add(i, j, -eigenvalue * dot(&load, other));
         }
     }
     form
@@ -159,8 +159,8 @@ impl Form {
         let mut negative = 0;
         for k in 0..n - states {
             let pivot = self.at(k, k);
-            // Negated, so that what is not a number has no sign either.
-            if !(pivot.abs() > CERTAIN * self.size[k]) {
+            // What is not a number has no sign either.
+            if pivot.is_nan() || pivot.abs() <= CERTAIN * self.size[k] {
                 return None;
             }
             negative += usize::from(pivot < 0.0);

@@ -18,6 +18,7 @@ use crate::functions::PiecewiseFunctions;
 use crate::lagrange::{Fields, FromTip, Grid, Residuals, SystemMatrices};
 use crate::numerics::eigen::EigenError;
 use crate::numerics::quadrature::GaussRules;
+use crate::numerics::scalar::is_above;
 use alloc::vec;
 use alloc::vec::Vec;
 use elements::{Elements, Factor};
@@ -92,6 +93,8 @@ pub struct Converged {
     found: Reduced,
     error: f64,
     counted: Option<f64>,
+    residuals: Option<Residuals>,
+    from_tip: FromTip,
 }
 
 /// What is asked of the functions.
@@ -227,8 +230,18 @@ impl Converged {
             let found = Reduced::new(&elements, &subspace, &anchors, count)?;
             let mut error = 0.0_f64;
             let mut shares = vec![0.0; elements.mesh.orders().len()];
-            for s in wanted.checks() {
-                error = error.max(found.check(&elements, s, count, &from_tip, &mut shares)?);
+            // A range is looked at through what all its speeds share, and closely where that is not enough.
+            let residuals = wanted.is_range().then(|| found.residuals(&elements, &from_tip));
+            let by_products = match &residuals {
+                Some(residuals) => found.error(residuals, &wanted.checks(), count)?,
+                None => f64::INFINITY,
+            };
+            if is_above(by_products, TOLERANCE) {
+                for s in wanted.checks() {
+                    error = error.max(found.check(&elements, s, count, &from_tip, &mut shares)?);
+                }
+            } else {
+                error = by_products;
             }
             let helped = error <= WORTHWHILE * last && !subspace.is_exhausted();
             let many = count * ANCHORS.len() > MOST_FUNCTIONS;
@@ -240,18 +253,14 @@ impl Converged {
                 // mode was missed.
                 let counted = if counts { found.counted(&elements, start, count, error)? } else { None };
                 let again = counts && counted.is_none() && !subspace.is_exhausted();
-                match loads.next().filter(|_| again) {
-                    Some(loaded) => {
-                        subspace.push_loads(&factor, *loaded);
-                        (settled, last) = (SETTLED, f64::INFINITY);
-                        continue;
-                    }
-                    None => {
-                        work.spend(subspace.work());
-                        drop(subspace);
-                        return Ok((Self { elements, found, error, counted }, shares));
-                    }
+                if let Some(loaded) = loads.next().filter(|_| again) {
+                    subspace.push_loads(&factor, *loaded);
+                    (settled, last) = (SETTLED, f64::INFINITY);
+                    continue;
                 }
+                work.spend(subspace.work());
+                drop(subspace);
+                return Ok((Self { elements, found, error, counted, residuals, from_tip }, shares));
             } else {
                 last = error;
             }
@@ -275,17 +284,19 @@ impl Converged {
     ///
     /// # Errors
     /// [`EigenError`].
-    pub fn error_at(&self, speed_squared: f64, count: usize, rules: &GaussRules) -> Result<f64, EigenError> {
-        let from_tip = FromTip::new(self.grid(), rules);
+    pub fn error_at(&self, speed_squared: f64, count: usize) -> Result<f64, EigenError> {
         let mut shares = vec![0.0; self.elements.mesh.orders().len()];
-        self.found.check(&self.elements, speed_squared, count, &from_tip, &mut shares)
+        self.found.check(&self.elements, speed_squared, count, &self.from_tip, &mut shares)
     }
 
-    /// How good any mode within these functions is, at any speed.
-    pub fn residuals(&self, rules: &GaussRules) -> Residuals {
-        let n = self.found.matrices.count();
-        let fields = self.fields(&DMatrix::identity(n, n));
-        Residuals::new(self.grid(), &FromTip::new(self.grid(), rules), &fields)
+    /// How good any mode within these functions is, at any speed; of a range.
+    pub fn residuals(&self) -> Option<&Residuals> {
+        self.residuals.as_ref()
+    }
+
+    /// Integration from the tip over [`grid`](Self::grid).
+    pub fn from_tip(&self) -> &FromTip {
+        &self.from_tip
     }
 
     /// The matrices of the functions that came out.

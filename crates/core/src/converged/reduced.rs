@@ -3,9 +3,9 @@
 use super::elements::Elements;
 use super::subspace::Subspace;
 use super::{COUNTED_BELOW, count};
-use crate::lagrange::{Fields, FromTip, SystemMatrices, assemble, residual_moments};
+use crate::lagrange::{Fields, FromTip, Residuals, SystemMatrices, assemble, residual_moments};
 use crate::numerics::eigen::{EigenError, lowest};
-use crate::numerics::scalar::sqrt;
+use crate::numerics::scalar::{maximum, sqrt};
 use alloc::vec;
 use alloc::vec::Vec;
 use nalgebra::DMatrix;
@@ -77,6 +77,25 @@ impl Reduced {
             }
         }
         Ok(error)
+    }
+
+    /// The residual moments of all sums of the functions.
+    pub(super) fn residuals(&self, elements: &Elements, from_tip: &FromTip) -> Residuals {
+        let n = self.matrices.count();
+        Residuals::new(elements.fine_grid(), from_tip, &self.fields(elements, &DMatrix::identity(n, n)))
+    }
+
+    /// The largest relative error of the `count` lowest eigenvalues at some Ω².
+    pub(super) fn error(&self, residuals: &Residuals, squares: &[f64], count: usize) -> Result<f64, EigenError> {
+        let mut worst = 0.0;
+        for &s in squares {
+            let g = self.matrices.stiffness() + self.matrices.centrifugal() * s;
+            let found = lowest(&g, self.matrices.mass(), count)?;
+            for (q, value) in found.vectors.column_iter().zip(&found.values) {
+                worst = maximum(worst, residuals.error(q.as_slice(), *value, s));
+            }
+        }
+        Ok(worst)
     }
 
     /// How far below the last of the `count` eigenvalues found at Ω² = `s`, as a share of it, as many

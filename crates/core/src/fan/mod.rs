@@ -5,5 +5,5 @@ mod curves;
 mod rays;
 
 pub use between::between;
-pub use curves::{Curves, sample};
+pub use curves::{Checked, Curves, sample};
 pub use rays::{RayCrossing, Rays, meet_rays};

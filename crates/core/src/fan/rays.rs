@@ -105,6 +105,7 @@ fn roots(stations: &[f64], gaps: &[(f64, f64)], at: impl Fn(f64) -> (f64, f64)) 
 }
 
 /// Adds the roots between two stations, ascending.
+#[allow(clippy::float_cmp, reason = "signs are 1 or −1")]
 fn within(low: Known, high: Known, at: &impl Fn(f64) -> (f64, f64), found: &mut Vec<f64>) {
     // Beside a station that is a root the gap has the sign that its slope gives it.
     let after_low = if low.gap == 0.0 { low.slope.signum() } else { low.gap.signum() };

@@ -147,7 +147,8 @@ impl Grid {
         &self.panels
     }
 
-    /// Number of points.
+    /// Number of points, which is not 0.
+    #[allow(clippy::len_without_is_empty, reason = "a blade has a span")]
     pub fn len(&self) -> usize {
         self.radius.len()
     }

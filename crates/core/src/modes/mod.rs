@@ -6,4 +6,4 @@ mod solve;
 
 pub use nodes::nodes;
 pub use shapes::{Component, Shape, orthogonality, shapes};
-pub use solve::{Mode, SolveError, eigenvalues, solve};
+pub use solve::{Mode, SolveError, coordinates, eigenvalues, solve};

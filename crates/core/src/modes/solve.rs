@@ -2,11 +2,11 @@
 
 use crate::dof::Dof;
 use crate::lagrange::SystemMatrices;
-use crate::numerics::eigen::{EigenError, lowest, lowest_values};
+use crate::numerics::eigen::{EigenError, lowest, lowest_values, vectors};
 use crate::numerics::scalar::sqrt;
 use alloc::vec::Vec;
 use core::fmt;
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 /// One mode of one system.
 #[derive(Clone, Debug)]
@@ -75,6 +75,20 @@ pub fn eigenvalues(matrices: &SystemMatrices, speed_squared: f64, count: usize) 
         Some(values) => Ok(values),
         None => Ok(solve(matrices, speed_squared, count)?.iter().map(|mode| mode.eigenvalue).collect()),
     }
+}
+
+/// Generalised coordinates of modes with these eigenvalues at Ω² = `speed_squared` [rad²/s²], qᵀ M q = 1, one
+/// column each.
+///
+/// # Errors
+/// [`SolveError`].
+pub fn coordinates(matrices: &SystemMatrices, speed_squared: f64, values: &[f64]) -> Result<DMatrix<f64>, SolveError> {
+    let g = matrices.stiffness() + matrices.centrifugal() * speed_squared;
+    if let Some(found) = vectors(&g, matrices.mass(), values) {
+        return Ok(found);
+    }
+    let modes = solve(matrices, speed_squared, values.len())?;
+    Ok(DMatrix::from_fn(matrices.count(), modes.len(), |i, j| modes[j].coordinates[i]))
 }
 
 /// The `count` lowest modes at Ω² = `speed_squared` [rad²/s²], or as many as there are functions.

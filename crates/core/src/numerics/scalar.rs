@@ -71,8 +71,14 @@ pub fn exp_m1(x: f64) -> f64 {
     libm::expm1(x)
 }
 
+/// Whether an error is above a limit; one that is not a number is above any.
+pub fn is_above(error: f64, limit: f64) -> bool {
+    error.is_nan() || error > limit
+}
+
 /// The larger of two, not a number where either is not, and 0 rather than −0: `f64::max` drops what
 /// is not a number, so that an error estimate looks good, and gives either zero, as the target likes.
+#[allow(clippy::float_cmp, reason = "equal numbers may differ in the sign of 0 alone")]
 pub fn maximum(a: f64, b: f64) -> f64 {
     if a > b {
         a

@@ -21,7 +21,9 @@ pub fn axpy(y: &mut [f64], factor: f64, x: &[f64]) {
 
 /// Multiplies every number by `factor`.
 pub fn scale(x: &mut [f64], factor: f64) {
-    x.iter_mut().for_each(|x| *x *= factor);
+    for x in x {
+        *x *= factor;
+    }
 }
 
 #[cfg(test)]

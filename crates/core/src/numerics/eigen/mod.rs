@@ -8,10 +8,12 @@
 
 mod definite;
 mod indefinite;
+mod inverse;
 mod rigid;
 mod values;
 
 pub use definite::lowest_values;
+pub use inverse::vectors;
 
 use alloc::vec::Vec;
 use nalgebra::DMatrix;
