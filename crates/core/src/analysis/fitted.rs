@@ -66,21 +66,21 @@ pub(super) fn fitted(
     }
     for attempt in 1.. {
         let last = attempt == MOST_ATTEMPTS || made.is_many(settings.modes) || work.left() <= 0.0;
-        let Some((checked, worst, poor)) = made.look(range, settings.modes, last, &work)? else {
-            return made.fitted(None, range, 0.0, &work);
+        let Some((checked, worst, poor)) = made.look(range, settings.modes, last, work)? else {
+            return made.fitted(None, range, 0.0, work);
         };
         if last || poor.is_empty() {
-            return made.fitted(checked, range, worst, &work);
+            return made.fitted(checked, range, worst, work);
         }
         work.spend(checked.map_or(0.0, |curves| curves.work()));
         also_at.extend(poor);
         made = match Made::new(blade, dof, settings, highest, &also_at, rules, &mut work) {
             Ok(better) => better,
             // So many functions cannot be told apart from one another: those that could are the answer.
-            Err(_) => return made.fitted(None, range, worst, &work),
+            Err(_) => return made.fitted(None, range, worst, work),
         };
     }
-    made.fitted(None, range, 0.0, &work)
+    made.fitted(None, range, 0.0, work)
 }
 
 /// Functions of a range of rotor speeds with their modes at rest.
@@ -112,7 +112,7 @@ impl Made {
 
     /// The curves, where they are good or `last`, the largest error, and where the functions are to be better;
     /// nothing of the classical family, which is what it is.
-    fn look(&self, range: (f64, f64), modes: usize, last: bool, work: &Work) -> Result<Option<Look>, Faults> {
+    fn look(&self, range: (f64, f64), modes: usize, last: bool, work: Work) -> Result<Option<Look>, Faults> {
         let Basis::Piecewise(converged) = &self.basis else { return Ok(None) };
         let few = self.basis.matrices().count() <= CHECKED_EVERYWHERE;
         let Checked { curves, errors } = if let Some(residuals) = converged.residuals().filter(|_| few) {
@@ -129,7 +129,7 @@ impl Made {
     }
 
     /// With these curves, or ones fitted now.
-    fn fitted(self, curves: Option<Curves>, range: (f64, f64), worst: f64, work: &Work) -> Result<Fitted, Faults> {
+    fn fitted(self, curves: Option<Curves>, range: (f64, f64), worst: f64, work: Work) -> Result<Fitted, Faults> {
         let Self { basis, at_rest } = self;
         let curves = match curves {
             Some(curves) => curves,

@@ -32,7 +32,7 @@ const CHECKS: [f64; 2] = [0.013, 0.47];
 /// Where modes are looked at before the first node, as shares of the way to it.
 const BESIDE_REST: [f64; 3] = [0.02, 0.15, 0.5];
 /// Most parts of a sample.
-const MOST_SAMPLES: f64 = 40.0;
+const MOST_SAMPLES: usize = 40;
 /// Most pieces; the last ones are taken as they are.
 const MOST_PIECES: usize = 64;
 /// Multiplications of an eigenproblem, by the cube of its order.
@@ -328,9 +328,9 @@ impl Piece {
 pub fn sample(at_rest: &[Mode], (from, to): (f64, f64), step: f64) -> Vec<f64> {
     let scale = Scale::new(at_rest, to);
     let (low, high) = (scale.at(from), scale.at(to));
-    let parts = ceil((high - low) / step).clamp(1.0, MOST_SAMPLES);
+    let parts = ceil((high - low) / step).clamp(1.0, MOST_SAMPLES as f64);
     let at = |i: usize| scale.speed_squared(low + (high - low) * (i as f64 / parts)).min(to);
-    (0..).take_while(|i| *i as f64 <= parts).map(at).collect()
+    (0..=MOST_SAMPLES).take_while(|i| *i as f64 <= parts).map(at).collect()
 }
 
 /// Curves whose modes were looked at.
