@@ -32,7 +32,9 @@ function* leaves(value, path = "", at = "") {
 
 /** The cells of a CSV: the field is the title of the column. */
 function* cells(text) {
-  const rows = [...text.matchAll(/((?:"(?:[^"]|"")*"|[^"\n])*)\n/g)].map(([, row]) => [...row.matchAll(/(?:^|,)("(?:[^"]|"")*"|[^,]*)/g)].map(([, cell]) => cell));
+  const rows = [...text.matchAll(/((?:"(?:[^"]|"")*"|[^"\n])*)\n/g)].map(([, row]) =>
+    [...row.matchAll(/(?:^|,)("(?:[^"]|"")*"|[^,]*)/g)].map(([, cell]) => cell),
+  );
   const titles = rows[0] ?? [];
   for (const [line, row] of rows.entries()) {
     for (const [column, cell] of row.entries()) {

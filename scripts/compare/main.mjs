@@ -86,7 +86,8 @@ const short = (value) => {
   const text = String(value).trim();
   return text.length > 90 ? `${text.slice(0, 90)}…` : text;
 };
-const size = ({ ulps, relative }) => (ulps === undefined ? "text" : `${relative.toExponential(1)} relative, ${ulps < 1e6 ? ulps : ulps.toExponential(1)} ulp`);
+const size = ({ ulps, relative }) =>
+  ulps === undefined ? "text" : `${relative.toExponential(1)} relative, ${ulps < 1e6 ? ulps : ulps.toExponential(1)} ulp`;
 const words = ({ args }) => args.map((arg) => (arg.includes("/") ? basename(arg) : arg)).join(" ");
 
 /** Prints what one command's runs gave; returns how many outputs differ. */
@@ -107,7 +108,8 @@ function report(command, results) {
   for (const [i, build] of ["old", "new"].entries()) {
     // A refusal compares nothing but its message.
     const without = results.filter(({ ends }) => ends[i] !== "exit code 0");
-    if (without.length && command !== "refused") console.log(`  ${build} build: ${without.length} runs without a result, the first: ${words(without[0].run)}: ${without[0].ends[i]}`);
+    if (without.length && command !== "refused")
+      console.log(`  ${build} build: ${without.length} runs without a result, the first: ${words(without[0].run)}: ${without[0].ends[i]}`);
   }
 
   const fields = new Map();
@@ -117,7 +119,8 @@ function report(command, results) {
       const sum = fields.get(name) ?? { name, outputs: 0, count: 0, relative: 0, ulps: undefined, worst: run };
       sum.outputs += 1;
       sum.count += field.count;
-      if (field.ulps !== undefined && (sum.ulps === undefined || field.relative >= sum.relative)) Object.assign(sum, { relative: field.relative, worst: run });
+      if (field.ulps !== undefined && (sum.ulps === undefined || field.relative >= sum.relative))
+        Object.assign(sum, { relative: field.relative, worst: run });
       if (field.ulps !== undefined) sum.ulps = Math.max(sum.ulps ?? 0, field.ulps);
       fields.set(name, sum);
     }
@@ -142,18 +145,31 @@ const files = readdirSync(options.blades)
   .map((file) => join(options.blades, file));
 const faults = new URL("../../tests/faults/cases.json", import.meta.url);
 const faulty = JSON.parse(readFileSync(faults, "utf8")).map(({ format, text, replace = [] }, i) => {
-  const spoilt = replace.reduce((sound, [from, to]) => sound.replace(from, () => to), text ?? readFileSync(new URL(`base.${format}`, faults), "utf8"));
+  const spoilt = replace.reduce(
+    (sound, [from, to]) => sound.replace(from, () => to),
+    text ?? readFileSync(new URL(`base.${format}`, faults), "utf8"),
+  );
   const file = join(work, `faulty-${i}.${format}`);
   writeFileSync(file, spoilt);
   return file;
 });
-const runs = [...otherRuns(faulty), ...names.flatMap((name) => runsOf(name, measured, true)), ...files.flatMap((file) => runsOf(file, measured, false))];
+const runs = [
+  ...otherRuns(faulty),
+  ...names.flatMap((name) => runsOf(name, measured, true)),
+  ...files.flatMap((file) => runsOf(file, measured, false)),
+];
 const chosen = runs.filter(({ command }) => !only || only.includes(command));
 
 const start = Date.now();
 const results = await all(chosen);
-console.log(`${names.length} built-in blades and ${files.length} files, ${chosen.length} runs of each build, ${Math.round((Date.now() - start) / 1000)} s`);
+console.log(
+  `${names.length} built-in blades and ${files.length} files, ${chosen.length} runs of each build, ${Math.round((Date.now() - start) / 1000)} s`,
+);
 let differing = 0;
-for (const command of [...new Set(chosen.map(({ command }) => command))]) differing += report(command, results.filter(({ run }) => run.command === command));
+for (const command of [...new Set(chosen.map(({ command }) => command))])
+  differing += report(
+    command,
+    results.filter(({ run }) => run.command === command),
+  );
 console.log(differing ? `${differing} outputs differ` : "nothing differs");
 process.exitCode = differing ? 1 : 0;

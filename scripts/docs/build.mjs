@@ -35,7 +35,11 @@ const listed = new Map([
 /** README.md is the index; docs/BLADE_FORMAT.md becomes blade-format.html. */
 function addressOf(source) {
   if (source === "README.md") return "index.html";
-  return `${source.replace(/^docs\//, "").replace(/\.md$/, "").toLowerCase().replaceAll("_", "-")}.html`;
+  return `${source
+    .replace(/^docs\//, "")
+    .replace(/\.md$/, "")
+    .toLowerCase()
+    .replaceAll("_", "-")}.html`;
 }
 
 const inDocs = readdirSync(`${root}docs`, { recursive: true }).map((path) => `docs/${path.replaceAll("\\", "/")}`);

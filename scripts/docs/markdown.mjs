@@ -12,7 +12,10 @@ const inline = /\$(?!\s)((?:\\.|[^\\$`])+?)(?<!\s)\$(?!\d)/s;
 /** The anchor that GitHub gives a heading, so that a link holds there and here. */
 function anchorOf(html, taken) {
   const text = withoutTags(html).replace(/&\w+;|&#\d+;/g, "");
-  const anchor = text.toLowerCase().replace(/[^\p{L}\p{M}\p{N}\p{Pc}\- ]/gu, "").replaceAll(" ", "-");
+  const anchor = text
+    .toLowerCase()
+    .replace(/[^\p{L}\p{M}\p{N}\p{Pc}\- ]/gu, "")
+    .replaceAll(" ", "-");
   const times = taken.get(anchor) ?? 0;
   taken.set(anchor, times + 1);
   return times === 0 ? anchor : `${anchor}-${times}`;
@@ -33,7 +36,8 @@ export function render(text, { name, equations, resolve }) {
   const marked = new Marked({
     gfm: true,
     walkTokens(token) {
-      if (token.type === "html") token.text = token.text.replace(/\b(src|srcset|href)="([^"]+)"/g, (_, key, to) => `${key}="${escaped(resolve(to).href)}"`);
+      if (token.type === "html")
+        token.text = token.text.replace(/\b(src|srcset|href)="([^"]+)"/g, (_, key, to) => `${key}="${escaped(resolve(to).href)}"`);
       if (token.type !== "link" && token.type !== "image") return;
       const { href, name } = resolve(token.href);
       token.href = href;
@@ -55,12 +59,15 @@ export function render(text, { name, equations, resolve }) {
       },
     ],
     renderer: {
-      code: ({ text: tex, lang }) => lang === "math" && `<div class="equation" tabindex="0" role="group" aria-label="Equation">${mathml(tex, true)}</div>\n`,
+      code: ({ text: tex, lang }) =>
+        lang === "math" && `<div class="equation" tabindex="0" role="group" aria-label="Equation">${mathml(tex, true)}</div>\n`,
       heading({ tokens, depth }) {
         const html = this.parser.parseInline(tokens);
         const anchor = anchorOf(html, taken);
         headings.push({ depth, anchor, html });
-        return depth === 1 ? `<h1 id="${anchor}">${html}</h1>\n` : `<h${depth} id="${anchor}"><a class="anchor" href="#${anchor}">${html}</a></h${depth}>\n`;
+        return depth === 1
+          ? `<h1 id="${anchor}">${html}</h1>\n`
+          : `<h${depth} id="${anchor}"><a class="anchor" href="#${anchor}">${html}</a></h${depth}>\n`;
       },
     },
   });
@@ -72,7 +79,9 @@ export function render(text, { name, equations, resolve }) {
     .replaceAll("</table>", "</table></div>")
     .replaceAll("<pre>", '<pre tabindex="0">')
     // An equation and the bracket or point beside it, which math.css keeps on one line.
-    .replace(/(\(?)(<math>.*?<\/math>)([.,;:)]*)/g, (whole, left, math, right) => (left + right === "" ? math : `<span class="kept">${whole}</span>`));
+    .replace(/(\(?)(<math>.*?<\/math>)([.,;:)]*)/g, (whole, left, math, right) =>
+      left + right === "" ? math : `<span class="kept">${whole}</span>`,
+    );
   const title = withoutTags(headings[0].html);
   return { title, headings, body, hasMath: equations.count > before };
 }

@@ -14,7 +14,8 @@ export function layOut(page, pages, previous, next) {
   // Twice, and shown once: beside a wide page, folded above a narrow one.
   const list = `<ul>${contents.join("\n")}</ul>`;
   const beside = contents.length > 1 ? `<nav class="beside" aria-label="On this page"><h2>On this page</h2>${list}</nav>` : "";
-  const above = contents.length > 1 ? `<details class="above"><summary>On this page</summary><nav aria-label="On this page">${list}</nav></details>` : "";
+  const above =
+    contents.length > 1 ? `<details class="above"><summary>On this page</summary><nav aria-label="On this page">${list}</nav></details>` : "";
   return `<!doctype html>
 <html lang="en">
 <head>

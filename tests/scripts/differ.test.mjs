@@ -16,7 +16,14 @@ test("units in the last place", () => {
 });
 
 test("JSON is compared field by field", () => {
-  const json = (a, b, label = "1F") => JSON.stringify({ modes: [{ label, f: a }, { label: "2F", f: b }], basis: { n: 1 } });
+  const json = (a, b, label = "1F") =>
+    JSON.stringify({
+      modes: [
+        { label, f: a },
+        { label: "2F", f: b },
+      ],
+      basis: { n: 1 },
+    });
   assert.deepEqual(differences("json", json(1, 2), json(1, 2)), []);
   const [field, ...others] = differences("json", json(1, 2), json(next, 2));
   assert.deepEqual(others, []);

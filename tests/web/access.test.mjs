@@ -4,7 +4,12 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { findings, open, paste } from "./support.mjs";
 
-for (const [width, height, colorScheme] of [[1280, 800, "light"], [1280, 800, "dark"], [390, 844, "light"], [390, 844, "dark"]]) {
+for (const [width, height, colorScheme] of [
+  [1280, 800, "light"],
+  [1280, 800, "dark"],
+  [390, 844, "light"],
+  [390, 844, "dark"],
+]) {
   test(`nothing to find at ${width} px, ${colorScheme}`, async () => {
     // The page's own policy would stop a script from elsewhere; bypassed for axe alone.
     const { page, close } = await open({ viewport: { width, height }, colorScheme, bypassCSP: true });

@@ -11,7 +11,10 @@ const field = (page, path) => page.locator(`[data-path="${path}"]`);
 /** The first flap frequency of the table, once it differs from `old`. */
 async function changed(page, label, old) {
   await page.waitForFunction(
-    ([label, old]) => [...document.querySelectorAll("#modes tbody tr")].some((row) => row.cells[0].textContent === label && Number(row.cells[1].dataset.full) !== old),
+    ([label, old]) =>
+      [...document.querySelectorAll("#modes tbody tr")].some(
+        (row) => row.cells[0].textContent === label && Number(row.cells[1].dataset.full) !== old,
+      ),
     [label, old],
   );
   return (await frequencies(page))[label];
@@ -25,11 +28,29 @@ test("paths lead to values, and values are read as they are typed", () => {
   setAt(doc, "distribution.mass[1]", undefined);
   // eslint-disable-next-line no-sparse-arrays -- a station without a value has none, not undefined
   assert.deepEqual(doc, { distribution: { mass: [1, , 3] }, rotor: { radius: 5 } });
-  assert.deepEqual(["12", " 1,5 ", "0,125", "1,234", "−3e2", "1 000", "", "abc", "1e999"].map(fieldValue), [12, 1.5, 0.125, "1,234", -300, 1000, undefined, "abc", "1e999"]);
+  assert.deepEqual(["12", " 1,5 ", "0,125", "1,234", "−3e2", "1 000", "", "abc", "1e999"].map(fieldValue), [
+    12,
+    1.5,
+    0.125,
+    "1,234",
+    -300,
+    1000,
+    undefined,
+    "abc",
+    "1e999",
+  ]);
 });
 
 test("what-if is a list of changes with the unit of their lengths", () => {
-  const whatIf = { ...NEUTRAL, factors: { ...NEUTRAL.factors, mass: 2 }, from: 5, to: 7.5, offsets: { flap: 4 }, springs: { lag: 1, flap: 3 }, length: "in" };
+  const whatIf = {
+    ...NEUTRAL,
+    factors: { ...NEUTRAL.factors, mass: 2 },
+    from: 5,
+    to: 7.5,
+    offsets: { flap: 4 },
+    springs: { lag: 1, flap: 3 },
+    length: "in",
+  };
   const units = { length: "in" };
   assert.deepEqual(changesOf(whatIf), [
     { what: "distribution.mass", scale: 2, from: 5, to: 7.5, units },
@@ -145,15 +166,23 @@ pageTest("what-if keeps its lengths when the units are switched, there and back"
   await changed(page, "1F", before["1F"]);
   await offset.fill("4");
   await offset.blur();
-  const stretched = await page.waitForFunction(() => document.querySelector('[data-key="offsets.flap"] input[type="text"]').value === "4").then(() => page.waitForTimeout(400)).then(() => frequencies(page));
-  for (const [units, radius, shown, from] of [["mm, kg, N", "1397", "101.6", 717.55], ["ft, slug, lbf", null, "0.3333", 28.25 / 12], ["in, lb, lbf", "55", "4", 28.25]]) {
+  const stretched = await page
+    .waitForFunction(() => document.querySelector('[data-key="offsets.flap"] input[type="text"]').value === "4")
+    .then(() => page.waitForTimeout(400))
+    .then(() => frequencies(page));
+  for (const [units, radius, shown, from] of [
+    ["mm, kg, N", "1397", "101.6", 717.55],
+    ["ft, slug, lbf", null, "0.3333", 28.25 / 12],
+    ["in, lb, lbf", "55", "4", 28.25],
+  ]) {
     await page.locator("#units").selectOption({ label: units });
     if (radius) await page.waitForFunction((radius) => document.querySelector('[data-path="rotor.radius"]').value === radius, radius);
     await page.waitForFunction((shown) => document.querySelector('[data-key="offsets.flap"] input[type="text"]').value === shown, shown);
     assert.ok(Math.abs(Number(await page.locator("#what-if-from").inputValue()) / from - 1) < 1e-12, units);
     await page.waitForTimeout(400);
     const now = await frequencies(page);
-    for (const [label, value] of Object.entries(stretched)) assert.ok(Math.abs(now[label] / value - 1) < 1e-9, `${units} ${label}: ${now[label]} for ${value}`);
+    for (const [label, value] of Object.entries(stretched))
+      assert.ok(Math.abs(now[label] / value - 1) < 1e-9, `${units} ${label}: ${now[label]} for ${value}`);
   }
   // Undone, the blade is in millimetres again, and the changes follow.
   await page.locator("#units").selectOption({ label: "mm, kg, N" });
@@ -175,7 +204,10 @@ pageTest("another blade typed over the text begins without what-if", {}, async (
   await paste(page, toml);
   await page.locator("#message", { hasText: "“What if” is set back" }).waitFor();
   const alone = (await call(page, "modes", (await call(page, "parse_blade", toml)).value)).value;
-  await page.waitForFunction((last) => Number(document.querySelector("#modes tbody td[data-full]").dataset.full) === last, alone.modes[0].frequency_rad_s);
+  await page.waitForFunction(
+    (last) => Number(document.querySelector("#modes tbody td[data-full]").dataset.full) === last,
+    alone.modes[0].frequency_rad_s,
+  );
   assert.equal(await page.locator("#what-if-factors-flap_stiffness").inputValue(), "0");
   // Back in the history stands the other blade, which has none either.
   await page.locator("#what-if-factors-flap_stiffness").fill("1");
@@ -221,7 +253,7 @@ pageTest("the text follows the fields, and the fields the text", {}, async (page
 });
 
 pageTest("a blade is built from nothing but the form and the text", {}, async (page) => {
-  await paste(page, '[rotor]\nradius = 2\nnominal_speed = 40\n');
+  await paste(page, "[rotor]\nradius = 2\nnominal_speed = 40\n");
   await page.locator("#faults li").first().waitFor();
   assert.ok((await page.locator("#faults li").count()) >= 4);
   assert.equal(await page.locator("#last-good").isVisible(), true);

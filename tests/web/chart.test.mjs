@@ -26,7 +26,11 @@ async function reference(page, more = {}) {
 
 const readout = (page) => page.locator(".readout > div").allTextContents();
 /** What the page's state draws now: both axes as the frame's labels say. */
-const labels = (page) => page.locator("#chart > svg:not(.overlay) .axes text").allTextContents().then((all) => all.map((text) => text.trim()));
+const labels = (page) =>
+  page
+    .locator("#chart > svg:not(.overlay) .axes text")
+    .allTextContents()
+    .then((all) => all.map((text) => text.trim()));
 
 pageTest("hovering reads the branch under the pointer, never off its curve", {}, async (page) => {
   const { blade, place } = await reference(page);
@@ -58,7 +62,12 @@ test("between the report's speeds a branch is read to a millionth", async () => 
     const blade = await bladeOf(page, "tm4760");
     const { value: fan } = await call(page, "fan", blade);
     const { between } = await import("../../web/chart/frame.js");
-    for (const [i, part] of [[1, 0.4], [30, 0.5], [77, 0.9], [99, 0.5]]) {
+    for (const [i, part] of [
+      [1, 0.4],
+      [30, 0.5],
+      [77, 0.9],
+      [99, 0.5],
+    ]) {
       const speed = fan.speeds_rad_s[i] + part * (fan.speeds_rad_s[i + 1] - fan.speeds_rad_s[i]);
       const { value } = await call(page, "modes", blade, { speed });
       for (const mode of value.modes) {
@@ -74,7 +83,10 @@ test("between the report's speeds a branch is read to a millionth", async () => 
 
 pageTest("the keys go along a branch and from branch to branch, and say so", {}, async (page) => {
   await page.locator("#chart").focus();
-  assert.match(await page.locator("#chart").getAttribute("aria-label"), /^Fan chart of TM 4760.*: 15 branches; at nominal speed 1F is closest to a harmonic, 0\.05\/rev above 1P\./);
+  assert.match(
+    await page.locator("#chart").getAttribute("aria-label"),
+    /^Fan chart of TM 4760.*: 15 branches; at nominal speed 1F is closest to a harmonic, 0\.05\/rev above 1P\./,
+  );
   const said = page.locator("#chart-said");
   await page.keyboard.press("ArrowRight");
   const first = /^(\w+) at ([\d.]+) rpm, [\d.]+ rad\/s, /.exec(await said.textContent());
@@ -145,8 +157,16 @@ pageTest("a window is zoomed by box, wheel, keys and buttons, and reset", {}, as
     await page.mouse.move(b.x, b.y, { steps: 4 });
     await page.mouse.up();
   };
-  const changed = (from) => page.waitForFunction((old) => [...document.querySelectorAll("#chart > svg:not(.overlay) .axes text")].map((text) => text.textContent.trim()).join() !== old, from.join());
-  const same = (to) => page.waitForFunction((old) => [...document.querySelectorAll("#chart > svg:not(.overlay) .axes text")].map((text) => text.textContent.trim()).join() === old, to.join());
+  const changed = (from) =>
+    page.waitForFunction(
+      (old) => [...document.querySelectorAll("#chart > svg:not(.overlay) .axes text")].map((text) => text.textContent.trim()).join() !== old,
+      from.join(),
+    );
+  const same = (to) =>
+    page.waitForFunction(
+      (old) => [...document.querySelectorAll("#chart > svg:not(.overlay) .axes text")].map((text) => text.textContent.trim()).join() === old,
+      to.join(),
+    );
 
   await page.locator("#zoom-box").click();
   await drag(place(400, 300), place(700, 700));
@@ -203,11 +223,24 @@ pageTest("two fingers zoom", { hasTouch: true, viewport: { width: 390, height: 8
   const { place } = await reference(page);
   const middle = place(400, 500);
   const session = await page.context().newCDPSession(page);
-  const touch = (type, apart) => session.send("Input.dispatchTouchEvent", { type, touchPoints: apart === null ? [] : [{ x: middle.x - apart, y: middle.y, id: 1 }, { x: middle.x + apart, y: middle.y, id: 2 }] });
+  const touch = (type, apart) =>
+    session.send("Input.dispatchTouchEvent", {
+      type,
+      touchPoints:
+        apart === null
+          ? []
+          : [
+              { x: middle.x - apart, y: middle.y, id: 1 },
+              { x: middle.x + apart, y: middle.y, id: 2 },
+            ],
+    });
   await touch("touchStart", 30);
   for (const apart of [40, 50, 60, 70]) await touch("touchMove", apart);
   await touch("touchEnd", null);
-  await page.waitForFunction((old) => [...document.querySelectorAll("#chart > svg:not(.overlay) .axes text")].map((text) => text.textContent.trim()).join() !== old, whole.join());
+  await page.waitForFunction(
+    (old) => [...document.querySelectorAll("#chart > svg:not(.overlay) .axes text")].map((text) => text.textContent.trim()).join() !== old,
+    whole.join(),
+  );
   assert.equal(await page.locator("#zoom-reset").isDisabled(), false);
 });
 
@@ -239,7 +272,10 @@ pageTest("the band's edges are dragged and moved by keys, and its crossings stan
   await page.mouse.up();
   assert.ok(Number(await lower.getAttribute("aria-valuenow")) < 0.75);
   assert.equal(await page.locator("#speed-number").inputValue(), "660", "the line stays");
-  await page.locator("#chart svg text", { hasText: /0\.\d+ to 1\.1 of nominal/ }).first().waitFor();
+  await page
+    .locator("#chart svg text", { hasText: /0\.\d+ to 1\.1 of nominal/ })
+    .first()
+    .waitFor();
 });
 
 /** Sets a slider as dragging would. */
@@ -255,13 +291,18 @@ pageTest("the blade as it is stays in sight behind the changed one", {}, async (
   await page.locator('.before path[data-label="3F"]').waitFor({ state: "attached" });
   await page.locator(".before-note").waitFor();
   /** Where a path ends in the drawing, in its own pixels. */
-  const end = () => page.locator('.before path[data-label="2F"]').evaluate((path) => path.getPointAtLength(path.getTotalLength()).matrixTransform(path.parentNode.transform.baseVal.consolidate().matrix).y);
+  const end = () =>
+    page
+      .locator('.before path[data-label="2F"]')
+      .evaluate((path) => path.getPointAtLength(path.getTotalLength()).matrixTransform(path.parentNode.transform.baseVal.consolidate().matrix).y);
   const expected = async (unit) => {
     const blade = await bladeOf(page, "tm4760");
     const { value: fan } = await call(page, "fan", blade);
     const frequency = fan.branches.find(({ label }) => label === "2F").frequency_rad_s.at(-1) / (unit === "Hz" ? 2 * Math.PI : 1);
     // From the axis as it is drawn: the ticks' texts and places.
-    const ticks = await page.locator("#chart > svg:not(.overlay) .axes text[text-anchor='end']").evaluateAll((all) => all.map((tick) => ({ value: Number(tick.textContent), y: Number(tick.getAttribute("y")) / 10 })));
+    const ticks = await page
+      .locator("#chart > svg:not(.overlay) .axes text[text-anchor='end']")
+      .evaluateAll((all) => all.map((tick) => ({ value: Number(tick.textContent), y: Number(tick.getAttribute("y")) / 10 })));
     const [a, b] = [ticks[0], ticks.at(-1)];
     return a.y + ((frequency - a.value) / (b.value - a.value)) * (b.y - a.y);
   };
@@ -289,7 +330,10 @@ pageTest("measured points are drawn and compared, faults have lines, and texts s
     const shown = Number(row[4].replace("−", "-").replace(/[+ %]/g, ""));
     assert.ok(Math.abs(shown - value[i].error_percent) < 0.06, `${row[4]} ${value[i].error_percent}`);
   });
-  await page.locator("#chart svg text", { hasText: /measured|made up/ }).first().waitFor();
+  await page
+    .locator("#chart svg text", { hasText: /measured|made up/ })
+    .first()
+    .waitFor();
 
   await page.locator("#measured-text").fill("label,speed [rpm],frequency [Hz],source\n1F,660,11.5,a\n1F,-3,x,b");
   await page.locator("#measured-faults li", { hasText: "line 3" }).first().waitFor();
@@ -297,7 +341,9 @@ pageTest("measured points are drawn and compared, faults have lines, and texts s
   assert.ok((await page.locator("#measured-table tbody tr").count()) > 0);
 
   await page.evaluate(() => (window.broken = false));
-  await page.locator("#measured-text").fill('label,speed [rpm],frequency [Hz],source\n1F,660,11.5,"<img src=x onerror=window.broken=true><script>window.broken=true</script>"');
+  await page
+    .locator("#measured-text")
+    .fill('label,speed [rpm],frequency [Hz],source\n1F,660,11.5,"<img src=x onerror=window.broken=true><script>window.broken=true</script>"');
   await page.locator("#measured-table td", { hasText: "<img src=x" }).waitFor();
   assert.equal(await page.locator("main img, main script").count(), 0);
   assert.equal(await page.evaluate(() => window.broken), false);
@@ -327,7 +373,10 @@ pageTest("every chart is also a table", {}, async (page) => {
   assert.equal(await tables.nth(1).locator("tbody tr").count(), value.report.crossings.length + value.report.coincident.length);
   await page.locator("#frequency-unit").selectOption("Hz");
   await tables.nth(2).locator("caption", { hasText: "Frequencies [Hz]" }).waitFor();
-  for (const [tab, caption] of [["shapes", "Displacement along the span"], ["converge", "Converged frequency"]]) {
+  for (const [tab, caption] of [
+    ["shapes", "Displacement along the span"],
+    ["converge", "Converged frequency"],
+  ]) {
     await page.locator(`#tab-${tab}`).click();
     await tables.first().locator("caption", { hasText: caption }).waitFor();
     assert.ok((await tables.first().locator("tbody tr").count()) >= 3);
@@ -335,20 +384,32 @@ pageTest("every chart is also a table", {}, async (page) => {
   }
 });
 
-for (const [width, height] of [[1280, 800], [390, 844]]) {
+for (const [width, height] of [
+  [1280, 800],
+  [390, 844],
+]) {
   for (const colorScheme of ["light", "dark"]) {
-    pageTest(`at ${width} px, ${colorScheme}: what is pressed is large enough and nothing scrolls sideways`, { viewport: { width, height }, colorScheme, reducedMotion: "reduce" }, async (page) => {
-      await page.locator("#measured-details summary").click();
-      await page.locator("#measured-example").click();
-      await page.locator("#measured-table tbody tr").first().waitFor();
-      await page.locator("#chart-data summary").click();
-      await page.locator("#chart-data table").first().waitFor();
-      const small = await page.locator("#chart-tools :is(button, select, label.toggle, input[type=number]), .handle, #measured :is(button, summary)").evaluateAll((all) =>
-        all.filter((item) => item.checkVisibility()).map((item) => [item.id || item.className || item.textContent, item.getBoundingClientRect().height]).filter(([, height]) => height < 31.5),
-      );
-      assert.deepEqual(small, []);
-      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth), 0);
-    });
+    pageTest(
+      `at ${width} px, ${colorScheme}: what is pressed is large enough and nothing scrolls sideways`,
+      { viewport: { width, height }, colorScheme, reducedMotion: "reduce" },
+      async (page) => {
+        await page.locator("#measured-details summary").click();
+        await page.locator("#measured-example").click();
+        await page.locator("#measured-table tbody tr").first().waitFor();
+        await page.locator("#chart-data summary").click();
+        await page.locator("#chart-data table").first().waitFor();
+        const small = await page
+          .locator("#chart-tools :is(button, select, label.toggle, input[type=number]), .handle, #measured :is(button, summary)")
+          .evaluateAll((all) =>
+            all
+              .filter((item) => item.checkVisibility())
+              .map((item) => [item.id || item.className || item.textContent, item.getBoundingClientRect().height])
+              .filter(([, height]) => height < 31.5),
+          );
+        assert.deepEqual(small, []);
+        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth), 0);
+      },
+    );
   }
 }
 
@@ -357,15 +418,19 @@ pageTest("a drawing changed in place is the drawing made anew, and nothing else 
   const draw = (changed, looks = {}) => call(page, "chart_svg", "fan", changed, { width: 900, ...looks }).then(({ value }) => value.svg);
   const soften = async (factor) => (await call(page, "change_blade", blade, [{ what: "distribution.flap_stiffness", scale: factor }])).value.blade;
   const become = (from, to) =>
-    page.evaluate(async ([from, to]) => {
-      const { Drawing } = await import(new URL("../chart/patch.js", document.querySelector("script[type=module]").src));
-      const drawing = new Drawing(from);
-      const became = drawing.become(to);
-      return { became, right: drawing.root.outerHTML === new Drawing(became ? to : from).root.outerHTML };
-    }, [from, to]);
+    page.evaluate(
+      async ([from, to]) => {
+        const { Drawing } = await import(new URL("../chart/patch.js", document.querySelector("script[type=module]").src));
+        const drawing = new Drawing(from);
+        const became = drawing.become(to);
+        return { became, right: drawing.root.outerHTML === new Drawing(became ? to : from).root.outerHTML };
+      },
+      [from, to],
+    );
   const plain = await draw(blade);
   // Most steps of a slider keep the elements of the drawing; at others a crossing or a label comes or goes.
-  for (const factor of [1.001, 1.003, 1.01]) assert.deepEqual(await become(plain, await draw(await soften(factor))), { became: true, right: true }, `${factor}`);
+  for (const factor of [1.001, 1.003, 1.01])
+    assert.deepEqual(await become(plain, await draw(await soften(factor))), { became: true, right: true }, `${factor}`);
   assert.deepEqual(await become(plain, plain.replace("nominal 660 rpm", "nominal 661 rpm")), { became: true, right: true });
   const others = {
     "fewer modes": await draw(blade, { modes: 2 }),
@@ -404,7 +469,10 @@ pageTest("of steps that come faster than anything is solved most are not asked f
   });
   const { value: soft } = await call(page, "change_blade", await bladeOf(page, "tm4760"), [{ what: "distribution.flap_stiffness", scale: factor }]);
   const { value } = await call(page, "modes", soft.blade);
-  await page.waitForFunction((last) => Number(document.querySelector("#modes tbody td[data-full]").dataset.full) === last, value.modes[0].frequency_rad_s);
+  await page.waitForFunction(
+    (last) => Number(document.querySelector("#modes tbody td[data-full]").dataset.full) === last,
+    value.modes[0].frequency_rad_s,
+  );
   const asked = await page.evaluate(() => window.asked);
   assert.ok(asked >= 1 && asked < 10, `${asked} of 30 steps were solved`);
 });

@@ -330,15 +330,25 @@ test("trouble of either worker is said until neither has any, and what is waited
 test("a blade with changes is changed and solved in one call, and its faults are told", () => {
   const asked = [];
   const bladefan = {
-    change_blade: (blade, changes) => (changes.length === 0 ? { status: "error", faults: ["none"] } : { status: "ok", value: { blade: { ...blade, changes: changes.length }, notes: [] } }),
+    change_blade: (blade, changes) =>
+      changes.length === 0
+        ? { status: "error", faults: ["none"] }
+        : { status: "ok", value: { blade: { ...blade, changes: changes.length }, notes: [] } },
     chart_svg: (...args) => {
       asked.push(args);
       return { status: "ok", value: 7 };
     },
   };
   const blade = { name: "a" };
-  assert.deepEqual(callChanged(bladefan, "chart_svg", ["fan", { blade, changes: [{}] }, { width: 9 }]), { status: "ok", value: 7, blade: { name: "a", changes: 1 } });
+  assert.deepEqual(callChanged(bladefan, "chart_svg", ["fan", { blade, changes: [{}] }, { width: 9 }]), {
+    status: "ok",
+    value: 7,
+    blade: { name: "a", changes: 1 },
+  });
   assert.deepEqual(callChanged(bladefan, "chart_svg", ["fan", blade, null]), { status: "ok", value: 7 });
   assert.deepEqual(callChanged(bladefan, "chart_svg", ["fan", { blade, changes: [] }]), { status: "error", faults: ["none"] });
-  assert.deepEqual(asked, [["fan", { name: "a", changes: 1 }, { width: 9 }], ["fan", blade, null]]);
+  assert.deepEqual(asked, [
+    ["fan", { name: "a", changes: 1 }, { width: 9 }],
+    ["fan", blade, null],
+  ]);
 });

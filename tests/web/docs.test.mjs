@@ -98,7 +98,10 @@ test("Markdown is read as on GitHub", () => {
   assert.throws(() => read("# T\n\n$\\nonsense$"), /test: .*nonsense/s);
 });
 
-for (const [width, height] of [[1280, 800], [390, 844]]) {
+for (const [width, height] of [
+  [1280, 800],
+  [390, 844],
+]) {
   test(`nothing to find at ${width} px, light and dark, and no scrolling sideways`, async () => {
     // Three hundred equations take long to look through, and have the text's colour.
     const text = { exclude: ["math"] };

@@ -80,13 +80,25 @@ async function frameTime() {
       while (window.timings.length === 0) await new Promise((resolve) => setTimeout(resolve)); // told after the answer
       const { began, ended } = window.timings.pop();
       window.timings.length = 0;
-      steps.push({ total: end.laidOut - begin, input: handled - begin, solve: ended - began, draw: end.drawn - window.received, layout: end.laidOut - end.drawn });
+      steps.push({
+        total: end.laidOut - begin,
+        input: handled - begin,
+        solve: ended - began,
+        draw: end.drawn - window.received,
+        layout: end.laidOut - end.drawn,
+      });
     }
     return steps;
   }, STEPS);
   await close();
-  const part = (key, share) => steps.map((step) => step[key]).sort((a, b) => a - b)[Math.floor(share * steps.length)].toFixed(1);
-  const split = (share) => Object.keys(steps[0]).map((key) => `${key} ${part(key, share)}`).join(", ");
+  const part = (key, share) => {
+    const sorted = steps.map((step) => step[key]).sort((a, b) => a - b);
+    return sorted[Math.floor(share * steps.length)].toFixed(1);
+  };
+  const split = (share) =>
+    Object.keys(steps[0])
+      .map((key) => `${key} ${part(key, share)}`)
+      .join(", ");
   console.log(`frame time of ${steps.length} what-if steps, medians [ms]: ${split(0.5)}`);
   console.log(`fastest tenth [ms], each part by itself: ${split(0.1)}`);
 }

@@ -6,7 +6,7 @@ import { lessonWords } from "../../web/modes/lesson.js";
 import { NEAR, TOO_NEAR, nearModes, nearness } from "../../web/modes/nearness.js";
 import { STAGE, camera, chordAt, hubPaths, platePaths } from "../../web/modes/plate.js";
 import { REVOLUTION_S, largest, nodeWords, pace } from "../../web/modes/shape.js";
-import { call, pageTest, rows } from "./support.mjs";
+import { call, pageTest } from "./support.mjs";
 
 const modesTest = (name, options, body) =>
   pageTest(name, { reducedMotion: "no-preference", ...options }, async (page) => {
@@ -28,7 +28,10 @@ async function blade(page, name) {
 }
 const face = (page) => page.locator("#motion .face").getAttribute("d");
 const pause = (page, milliseconds) => page.waitForTimeout(milliseconds);
-const table = (page) => page.locator("#modes tbody tr").evaluateAll((all) => all.map((row) => ({ label: row.cells[0].textContent, near: row.dataset.near, words: row.cells[6].textContent })));
+const table = (page) =>
+  page
+    .locator("#modes tbody tr")
+    .evaluateAll((all) => all.map((row) => ({ label: row.cells[0].textContent, near: row.dataset.near, words: row.cells[6].textContent })));
 
 test("nodes and the largest value are said in words", () => {
   assert.equal(nodeWords([]), "No node between root and tip");
@@ -43,7 +46,13 @@ test("the pace keeps the true ratios", () => {
   assert.equal(at(20).mode, 2 * at(10).mode);
   assert.equal(at(10).mode, 1 / REVOLUTION_S);
   assert.equal(at(10, false, 5).rotor, 0.5 / REVOLUTION_S);
-  for (const [frequency, even] of [[3, false], [70, false], [700, false], [3, true], [700, true]]) {
+  for (const [frequency, even] of [
+    [3, false],
+    [70, false],
+    [700, false],
+    [3, true],
+    [700, true],
+  ]) {
     const { mode, rotor } = at(frequency, even);
     assert.ok(Math.abs(mode / rotor - frequency / 10) < 1e-9, "mode to rotor");
     assert.ok(mode <= 5 && rotor <= 5);
@@ -56,7 +65,11 @@ test("the pace keeps the true ratios", () => {
 
 test("the blade stays on the stage in its best view", () => {
   const at = [0.05, 0.5, 1];
-  for (const [dof, view] of [["flap", "side"], ["lag", "above"], ["torsion", "twist"]]) {
+  for (const [dof, view] of [
+    ["flap", "side"],
+    ["lag", "above"],
+    ["torsion", "twist"],
+  ]) {
     const project = camera(view, dof);
     for (const share of [-1, 1]) {
       for (const x of at) {
@@ -78,16 +91,33 @@ test("margins are near below one threshold and too near below another", () => {
   assert.equal(nearness(mode(NEAR)), "");
   assert.equal(nearness(mode(0, 60), 10), "", "beyond the harmonics looked at");
   assert.equal(nearness({ nearest_harmonic: null, margin_per_rev: null }), "");
-  assert.deepEqual(nearModes([mode(0.09), mode(0.2), mode(-0.01)], 10).map((m) => m.margin_per_rev), [-0.01, 0.09]);
+  assert.deepEqual(
+    nearModes([mode(0.09), mode(0.2), mode(-0.01)], 10).map((m) => m.margin_per_rev),
+    [-0.01, 0.09],
+  );
 });
 
 test("the lesson is said in numbers of functions", () => {
-  const series = { label: "2F", classical_rad_s: [null, 110, 107.2], converged_rad_s: 100, lower_rad_s: 100 - 1e-9, upper_rad_s: 100 + 1e-9, piecewise_functions: [4, 8, 12], piecewise_rad_s: [101, 100.001, 100] };
+  const series = {
+    label: "2F",
+    classical_rad_s: [null, 110, 107.2],
+    converged_rad_s: 100,
+    lower_rad_s: 100 - 1e-9,
+    upper_rad_s: 100 + 1e-9,
+    piecewise_functions: [4, 8, 12],
+    piecewise_rad_s: [101, 100.001, 100],
+  };
   const report = { functions: [1, 7, 15], series: [series] };
-  assert.equal(lessonWords(report, "2F", 15), "2F with the paper’s 15 functions: 107.2 rad/s, +7.2 %. With 7 of them: +10 %. Piecewise functions: +1.0 % with 4, converged with 12: 100.0 ±2·10⁻⁹ rad/s.");
+  assert.equal(
+    lessonWords(report, "2F", 15),
+    "2F with the paper’s 15 functions: 107.2 rad/s, +7.2 %. With 7 of them: +10 %. Piecewise functions: +1.0 % with 4, converged with 12: 100.0 ±2·10⁻⁹ rad/s.",
+  );
   assert.match(lessonWords(report, "2F", 99), /^2F with the paper’s 15 functions/, "the most there are");
   assert.equal(lessonWords(report, "9F", 15), "");
-  assert.doesNotMatch(lessonWords({ functions: [1], series: [{ ...series, classical_rad_s: [null], piecewise_rad_s: [0, 0, 0], converged_rad_s: 0 }] }, "2F", 1), /NaN|undefined/);
+  assert.doesNotMatch(
+    lessonWords({ functions: [1], series: [{ ...series, classical_rad_s: [null], piecewise_rad_s: [0, 0, 0], converged_rad_s: 0 }] }, "2F", 1),
+    /NaN|undefined/,
+  );
 });
 
 modesTest("the mode chosen in the table is shown with its nodes and moment", {}, async (page) => {
@@ -103,7 +133,10 @@ modesTest("the mode chosen in the table is shown with its nodes and moment", {},
   const said = Number(/largest ([\d.]+) N·m per m of deflection/.exec(await page.locator("#motion-moment").textContent())[1]);
   assert.ok(Math.abs(said / largestMoment - 1) < 1e-3, `${said} for ${largestMoment}`);
   assert.match(await page.locator("#motion .stage").getAttribute("aria-label"), /^Mode 3F, flap: the blade seen from the side.*Nodes at r\/R/);
-  assert.match(await page.locator("#motion-detail").textContent(), /349\.8 rad\/s; 55\.67 Hz; 5\.061\/rev, 0\.06 above 5P; bounds ±.*the paper’s 15 functions 352\.1 rad\/s, \+0\.68 %/);
+  assert.match(
+    await page.locator("#motion-detail").textContent(),
+    /349\.8 rad\/s; 55\.67 Hz; 5\.061\/rev, 0\.06 above 5P; bounds ±.*the paper’s 15 functions 352\.1 rad\/s, \+0\.68 %/,
+  );
 });
 
 modesTest("the view follows the degree of freedom until one is chosen", {}, async (page) => {
@@ -174,16 +207,20 @@ modesTest("out of sight nothing runs", { viewport: { width: 390, height: 600 } }
   await page.locator('#motion[data-runs="false"]').waitFor();
 });
 
-modesTest("who wants less motion gets a still of the extremes and may play it", { reducedMotion: "reduce", viewport: { width: 1280, height: 1200 } }, async (page) => {
-  assert.equal(await page.locator("#motion").getAttribute("data-runs"), "false");
-  const still = await face(page);
-  await pause(page, 200);
-  assert.equal(await face(page), still);
-  assert.equal(await page.locator("#motion .other").isVisible(), true);
-  assert.ok((await page.locator("#motion .other").getAttribute("d")).startsWith(still), "the blade stands at an extreme");
-  await page.locator("#motion-play").click();
-  await page.waitForFunction((still) => document.querySelector("#motion .face").getAttribute("d") !== still, still);
-});
+modesTest(
+  "who wants less motion gets a still of the extremes and may play it",
+  { reducedMotion: "reduce", viewport: { width: 1280, height: 1200 } },
+  async (page) => {
+    assert.equal(await page.locator("#motion").getAttribute("data-runs"), "false");
+    const still = await face(page);
+    await pause(page, 200);
+    assert.equal(await face(page), still);
+    assert.equal(await page.locator("#motion .other").isVisible(), true);
+    assert.ok((await page.locator("#motion .other").getAttribute("d")).startsWith(still), "the blade stands at an extreme");
+    await page.locator("#motion-play").click();
+    await page.waitForFunction((still) => document.querySelector("#motion .face").getAttribute("d") !== still, still);
+  },
+);
 
 modesTest("a mode without frequency stands still and says why", {}, async (page) => {
   await page.locator("#speed-number").fill("0");
@@ -223,9 +260,14 @@ modesTest("what moves a near mode is what the package says it does", {}, async (
   const said = page.locator("#movers li", { hasText: "3F" });
   await said.waitFor();
   const words = await said.textContent();
-  const [, slope, change] = /^Flap stiffness \+1 % moves 3F up by about ([\d.]+)\/rev; about \+([\d.]+) % brings the margin to 0.1\/rev\.$/.exec(words);
+  const [, slope, change] = /^Flap stiffness \+1 % moves 3F up by about ([\d.]+)\/rev; about \+([\d.]+) % brings the margin to 0.1\/rev\.$/.exec(
+    words,
+  );
   const tm = await blade(page, "tm4760");
-  const scaled = (factor) => ({ ...tm, distribution: { ...tm.distribution, flap_stiffness: tm.distribution.flap_stiffness.map((value) => value * factor) } });
+  const scaled = (factor) => ({
+    ...tm,
+    distribution: { ...tm.distribution, flap_stiffness: tm.distribution.flap_stiffness.map((value) => value * factor) },
+  });
   const margin = async (factor) => (await call(page, "modes", scaled(factor), { dof: ["flap"] })).value.modes[2].margin_per_rev;
   assert.ok(Math.abs((await margin(1.01)) - (await margin(1)) - Number(slope)) < 1e-3, words);
   assert.ok(Math.abs((await margin(1 + Number(change) / 100)) - NEAR) < 2e-3, words);
@@ -261,9 +303,22 @@ modesTest("mode shapes fit the window and more are a click away", {}, async (pag
   await page.locator("#close-tools").waitFor({ state: "hidden" });
 });
 
-for (const [width, columns] of [[360, 5], [390, 5], [600, 7], [768, 7], [820, 6], [1280, 6], [1366, 6], [1920, 7]]) {
+for (const [width, columns] of [
+  [360, 5],
+  [390, 5],
+  [600, 7],
+  [768, 7],
+  [820, 6],
+  [1280, 6],
+  [1366, 6],
+  [1920, 7],
+]) {
   modesTest(`at ${width} px the table has ${columns} columns, and nothing scrolls sideways`, { viewport: { width, height: 800 } }, async (page) => {
-    for (const [name, title] of [["sa330", "SA 330"], ["uniform", "uniform"], ["tm4760", "TM 4760"]]) {
+    for (const [name, title] of [
+      ["sa330", "SA 330"],
+      ["uniform", "uniform"],
+      ["tm4760", "TM 4760"],
+    ]) {
       await openBlade(page, name, title);
       const fits = await page.evaluate(() => ({
         page: document.documentElement.scrollWidth - document.documentElement.clientWidth,
@@ -298,7 +353,22 @@ modesTest("menu and Ctrl+P print the same report, on one page", { colorScheme: "
   await page.waitForFunction(() => window.prints === 1);
   const report = page.locator("#report");
   const text = await report.textContent();
-  for (const words of ["TM 4760 research blade", "660 rpm, nominal", "NASA TM 4760", "radius 55 in", "flap hinged at 3 in", "Properties along the span", "flap EI [lbf·in²]", "0.05 above 1P, too near", "+0.098 %", "Crossings, 0.9 to 1.1 of nominal speed", "3F × 5P", "uncoupled, in vacuum", "bladefan 0.", page.url().split("#")[0]]) {
+  for (const words of [
+    "TM 4760 research blade",
+    "660 rpm, nominal",
+    "NASA TM 4760",
+    "radius 55 in",
+    "flap hinged at 3 in",
+    "Properties along the span",
+    "flap EI [lbf·in²]",
+    "0.05 above 1P, too near",
+    "+0.098 %",
+    "Crossings, 0.9 to 1.1 of nominal speed",
+    "3F × 5P",
+    "uncoupled, in vacuum",
+    "bladefan 0.",
+    page.url().split("#")[0],
+  ]) {
     assert.ok(text.includes(words), `${words} in ${text}`);
   }
   assert.equal(text.includes("#"), false, "the address without its fragment");
@@ -322,7 +392,9 @@ modesTest("menu and Ctrl+P print the same report, on one page", { colorScheme: "
 async function fitsPaper(page, name) {
   await page.emulateMedia({ media: "print" });
   await page.setViewportSize({ width: 718, height: 1039 });
-  const sideways = await page.evaluate(() => [...document.querySelectorAll("#report table, #report")].map((part) => part.scrollWidth - part.parentElement.clientWidth));
+  const sideways = await page.evaluate(() =>
+    [...document.querySelectorAll("#report table, #report")].map((part) => part.scrollWidth - part.parentElement.clientWidth),
+  );
   assert.ok(Math.max(...sideways) <= 0, sideways.join());
   await page.screenshot({ path: new URL(`screenshots/report-${name}.png`, import.meta.url).pathname, fullPage: true });
   await page.emulateMedia({ media: null });
@@ -336,8 +408,21 @@ modesTest("a full report still has one page, and says what it leaves out", {}, a
   const r = Array.from({ length: 60 }, (_, i) => 0.2 + ((tm.rotor.radius - 0.2) * i) / 59);
   r[59] = tm.rotor.radius;
   const along = (value) => r.map((_, i) => value * (1 + i / 100));
-  const long = { ...tm, name: "A blade with a name that is rather long, as names of blades go, and sixty stations", notes: "Notes that go on and on. ".repeat(40) };
-  long.distribution = { r, mass: along(9.123456), flap_stiffness: along(123456.7), lag_stiffness: along(1234567.8), torsion_stiffness: along(98765.4), polar_inertia: along(0.1234), mass_offset: along(0.01), twist: along(-5.12) };
+  const long = {
+    ...tm,
+    name: "A blade with a name that is rather long, as names of blades go, and sixty stations",
+    notes: "Notes that go on and on. ".repeat(40),
+  };
+  long.distribution = {
+    r,
+    mass: along(9.123456),
+    flap_stiffness: along(123456.7),
+    lag_stiffness: along(1234567.8),
+    torsion_stiffness: along(98765.4),
+    polar_inertia: along(0.1234),
+    mass_offset: along(0.01),
+    twist: along(-5.12),
+  };
   const { value: toml } = await call(page, "write_blade", long, "toml");
   await page.locator("#file-input").setInputFiles({ name: "long.toml", mimeType: "text/plain", buffer: Buffer.from(toml) });
   await page.waitForFunction(() => document.title.startsWith("A blade with a name"));

@@ -37,7 +37,11 @@ pageTest("every built-in blade draws all three charts", {}, async (page) => {
   assert.ok(value.length >= 5, `${value.length} blades`);
   for (const blade of value) {
     await page.locator("#blade-choice").selectOption(blade.name);
-    for (const [tab, kind] of [["fan", "Fan chart"], ["shapes", "Mode shapes"], ["converge", "Convergence"]]) {
+    for (const [tab, kind] of [
+      ["fan", "Fan chart"],
+      ["shapes", "Mode shapes"],
+      ["converge", "Convergence"],
+    ]) {
       await page.locator(`#tab-${tab}`).click();
       await page.locator(`#chart > svg[aria-label="${kind} of ${blade.title}"]`).waitFor();
       assert.ok((await page.locator("#chart [data-label]").count()) >= 3, `${blade.name} ${tab}`);
@@ -79,7 +83,10 @@ pageTest("a bad file shows its faults at their lines, and the last good chart st
   await page.locator("#tab-text").click();
   const lineOf = (text) => bad.split("\n").findIndex((line) => line.startsWith(text)) + 1;
   const expected = (await call(page, "parse_blade", bad)).faults;
-  assert.deepEqual(expected.map((fault) => fault.line), [lineOf("radius = -1.0"), lineOf('root = "hinge"')]);
+  assert.deepEqual(
+    expected.map((fault) => fault.line),
+    [lineOf("radius = -1.0"), lineOf('root = "hinge"')],
+  );
 
   await paste(page, bad);
   await page.locator("#faults li").first().waitFor();
@@ -87,7 +94,10 @@ pageTest("a bad file shows its faults at their lines, and the last good chart st
     await page.locator("#faults li").allTextContents(),
     expected.map((fault) => `line ${fault.line}: ${fault.path}: ${fault.message}`),
   );
-  assert.deepEqual(await page.locator(".gutter .fault").allTextContents(), expected.map((fault) => String(fault.line)));
+  assert.deepEqual(
+    await page.locator(".gutter .fault").allTextContents(),
+    expected.map((fault) => String(fault.line)),
+  );
   assert.equal(await page.locator("#editor .mark").count(), 2);
   assert.match(await page.locator("#fault-summary").textContent(), /^2 faults/);
   assert.equal(await page.locator("#blade-text").getAttribute("aria-invalid"), "true");
@@ -189,11 +199,23 @@ pageTest("downloads arrive and hold what the page shows", {}, async (page) => {
 
   const csv = await download("csv");
   assert.equal(csv.name, "tm-4760-research-blade-fan.csv");
-  const [header, ...lines] = csv.bytes.toString().trimEnd().split("\n").map((line) => line.split(","));
+  const [header, ...lines] = csv.bytes
+    .toString()
+    .trimEnd()
+    .split("\n")
+    .map((line) => line.split(","));
   const { value: fan } = await call(page, "fan", blade);
   assert.deepEqual(header, ["rotor speed [rad/s]", ...fan.branches.map((branch) => `${branch.label} [rad/s]`)]);
-  assert.deepEqual(lines.map((line) => Number(line[0])), fan.speeds_rad_s);
-  fan.branches.forEach((branch, i) => assert.deepEqual(lines.map((line) => Number(line[i + 1])), branch.frequency_rad_s));
+  assert.deepEqual(
+    lines.map((line) => Number(line[0])),
+    fan.speeds_rad_s,
+  );
+  fan.branches.forEach((branch, i) =>
+    assert.deepEqual(
+      lines.map((line) => Number(line[i + 1])),
+      branch.frequency_rad_s,
+    ),
+  );
 
   const json = await download("json");
   assert.deepEqual(JSON.parse(json.bytes), fan);
@@ -235,8 +257,29 @@ pageTest("everything works from the keyboard", {}, async (page) => {
     if (i > 10 && here === "blade-choice") break;
     seen.add(here);
   }
-  const ids = ["blade-choice", "open-file", "units", "share", "Save", "theme", "tab-fan", "show-flap", "frequency-unit", "speed-slider", "speed-number", "speed-unit"];
-  for (const id of [...ids, "what-if-factors-flap_stiffness", "field-name", "field-rotor.radius", "field-flap.root", "option-modes", "option-harmonics"]) {
+  const ids = [
+    "blade-choice",
+    "open-file",
+    "units",
+    "share",
+    "Save",
+    "theme",
+    "tab-fan",
+    "show-flap",
+    "frequency-unit",
+    "speed-slider",
+    "speed-number",
+    "speed-unit",
+  ];
+  for (const id of [
+    ...ids,
+    "what-if-factors-flap_stiffness",
+    "field-name",
+    "field-rotor.radius",
+    "field-flap.root",
+    "option-modes",
+    "option-harmonics",
+  ]) {
     assert.ok(seen.has(id), `${id} is reached by Tab: ${[...seen].join(", ")}`);
   }
   await page.locator("#tab-fan").focus();
@@ -266,9 +309,7 @@ pageTest("every control has a name", {}, async (page) => {
 pageTest("markup in a blade's texts stays text", {}, async (page) => {
   await page.evaluate(() => (window.broken = false));
   const evil = "<script>window.broken=true</script><img src=x onerror=window.broken=true>&amp;\\\"'";
-  const text = (await built(page, "uniform"))
-    .replace(/name = ".*"/, `name = "${evil}"`)
-    .replace("[rotor]", `[rotor]\n"<b onclick=x>" = 1`);
+  const text = (await built(page, "uniform")).replace(/name = ".*"/, `name = "${evil}"`).replace("[rotor]", `[rotor]\n"<b onclick=x>" = 1`);
   await paste(page, text);
   await page.locator("#faults li", { hasText: "<b onclick=x>" }).waitFor();
   await paste(page, text.replace('\n"<b onclick=x>" = 1', ""));
@@ -364,20 +405,30 @@ test("a solver that breaks off is replaced, and the page goes on", async () => {
   }
 });
 
-for (const [width, height] of [[360, 740], [390, 844], [768, 1024], [1280, 800], [1920, 1080]]) {
+for (const [width, height] of [
+  [360, 740],
+  [390, 844],
+  [768, 1024],
+  [1280, 800],
+  [1920, 1080],
+]) {
   for (const colorScheme of ["light", "dark"]) {
-    pageTest(`at ${width} px, ${colorScheme}: no sideways scrolling, the chart above the fold`, { viewport: { width, height }, colorScheme }, async (page) => {
-      for (const tab of ["fan", "shapes", "converge", "stations", "text"]) {
-        await page.locator(`#tab-${tab}`).click();
-        await page.locator(`#chart > svg[aria-label^="${{ shapes: "Mode", converge: "Conv" }[tab] ?? "Fan"}"]`).waitFor();
-        const fits = await page.evaluate(() => ({
-          sideways: document.documentElement.scrollWidth - document.documentElement.clientWidth,
-          chartEnd: document.getElementById("chart").getBoundingClientRect().bottom + scrollY,
-        }));
-        assert.equal(fits.sideways, 0);
-        if (tab === "fan") assert.ok(fits.chartEnd <= height, `the chart ends at ${fits.chartEnd}`);
-        await page.screenshot({ path: `${screenshots}${width}-${colorScheme}-${tab}.png`, fullPage: true });
-      }
-    });
+    pageTest(
+      `at ${width} px, ${colorScheme}: no sideways scrolling, the chart above the fold`,
+      { viewport: { width, height }, colorScheme },
+      async (page) => {
+        for (const tab of ["fan", "shapes", "converge", "stations", "text"]) {
+          await page.locator(`#tab-${tab}`).click();
+          await page.locator(`#chart > svg[aria-label^="${{ shapes: "Mode", converge: "Conv" }[tab] ?? "Fan"}"]`).waitFor();
+          const fits = await page.evaluate(() => ({
+            sideways: document.documentElement.scrollWidth - document.documentElement.clientWidth,
+            chartEnd: document.getElementById("chart").getBoundingClientRect().bottom + scrollY,
+          }));
+          assert.equal(fits.sideways, 0);
+          if (tab === "fan") assert.ok(fits.chartEnd <= height, `the chart ends at ${fits.chartEnd}`);
+          await page.screenshot({ path: `${screenshots}${width}-${colorScheme}-${tab}.png`, fullPage: true });
+        }
+      },
+    );
   }
 }

@@ -8,8 +8,21 @@ import { NEUTRAL } from "../../web/lib/what-if.js";
 import { drawn, frequencies, open, pageTest, paste, site } from "./support.mjs";
 
 const state = {
-  doc: { schema: "bladefan-blade/1", rotor: { radius: 2 } }, text: null, choice: "", tab: "shapes", speed: { value: 300, unit: "rpm" }, speedUnit: "rpm",
-  frequencyUnit: "Hz", dofs: ["flap"], closeDofs: ["lag"], band: [0.8, 1.2], window: null, chosen: "2F", options: { modes: "4" }, measured: "a,b", whatIf: NEUTRAL,
+  doc: { schema: "bladefan-blade/1", rotor: { radius: 2 } },
+  text: null,
+  choice: "",
+  tab: "shapes",
+  speed: { value: 300, unit: "rpm" },
+  speedUnit: "rpm",
+  frequencyUnit: "Hz",
+  dofs: ["flap"],
+  closeDofs: ["lag"],
+  band: [0.8, 1.2],
+  window: null,
+  chosen: "2F",
+  options: { modes: "4" },
+  measured: "a,b",
+  whatIf: NEUTRAL,
 };
 const UNIFORM = `schema = "bladefan-blade/1"
 name = "uniform, sent"
@@ -19,7 +32,11 @@ lag = { root = "hingeless" }
 torsion = { root = "rigid" }
 distribution = { mass = 1, flap_stiffness = 1, lag_stiffness = 1, torsion_stiffness = 1, polar_inertia = 1 }
 `;
-const words = async (packed) => unpack(packed).then(() => "read", (error) => error.message);
+const words = async (packed) =>
+  unpack(packed).then(
+    () => "read",
+    (error) => error.message,
+  );
 
 test("what is packed is unpacked", async () => {
   const { blade, choice, view } = await unpack(await pack(state));
@@ -41,7 +58,16 @@ test("what is broken or hostile is refused in words", async () => {
   const bomb = await pack({ ...state, text: "0".repeat(50_000_000) });
   assert.equal(await words(bomb), "it unpacks to more than a blade can hold");
   // Views that break their rules are left out, one by one.
-  const odd = { tab: "nowhere", closeDofs: ["flap", "flap"], speed: { value: -1, unit: "rpm" }, dofs: [], band: "wide", options: { modes: 4 }, whatIf: { factors: { mass: -2 } }, window: { speeds: ["a"] } };
+  const odd = {
+    tab: "nowhere",
+    closeDofs: ["flap", "flap"],
+    speed: { value: -1, unit: "rpm" },
+    dofs: [],
+    band: "wide",
+    options: { modes: 4 },
+    whatIf: { factors: { mass: -2 } },
+    window: { speeds: ["a"] },
+  };
   assert.deepEqual(Object.keys((await unpack(await pack({ ...state, ...odd }))).view).sort(), ["chosen", "frequencyUnit", "measured", "speedUnit"]);
 });
 
@@ -52,8 +78,14 @@ test("a view is held to what a page may be asked for", async () => {
   };
   assert.deepEqual(await ask(101, "50"), [null, { speeds: [0, 60, 101] }]);
   assert.deepEqual(await ask(2001, "20"), [null, { speeds: [0, 60, 2001] }]);
-  assert.deepEqual(await ask(2002, "1"), ["It asks for 2002 rotor speeds with 1 modes each; at most 2001 are taken. The whole chart is shown instead.", null]);
-  assert.deepEqual(await ask(2001, "21"), ["It asks for 2001 rotor speeds with 21 modes each; at most 1905 are taken. The whole chart is shown instead.", null]);
+  assert.deepEqual(await ask(2002, "1"), [
+    "It asks for 2002 rotor speeds with 1 modes each; at most 2001 are taken. The whole chart is shown instead.",
+    null,
+  ]);
+  assert.deepEqual(await ask(2001, "21"), [
+    "It asks for 2001 rotor speeds with 21 modes each; at most 1905 are taken. The whole chart is shown instead.",
+    null,
+  ]);
   assert.deepEqual((await ask(100_000, "50"))[1], null);
 });
 
@@ -68,8 +100,24 @@ test("what is beside an unfinished blade is kept with it", () => {
 
 test("what has the form of a blade may be shown with its faults, and nothing else", () => {
   const root = { root: "hinged", offset: "x" };
-  for (const good of [{}, { rotor: { radius: -1 }, flap: root }, { distribution: { r: [0, null, "x"], mass: "a lot", twist: { r: [], values: [1] } } }]) assert.ok(isBladeShaped(good), JSON.stringify(good));
-  for (const bad of [null, [], 7, { rotor: 7 }, { flap: { root: {} } }, { distribution: [] }, { distribution: { r: 7 } }, { distribution: { mass: { r: 7, values: [] } } }, { distribution: { mass: [[1]] } }, { name: {} }]) {
+  for (const good of [
+    {},
+    { rotor: { radius: -1 }, flap: root },
+    { distribution: { r: [0, null, "x"], mass: "a lot", twist: { r: [], values: [1] } } },
+  ])
+    assert.ok(isBladeShaped(good), JSON.stringify(good));
+  for (const bad of [
+    null,
+    [],
+    7,
+    { rotor: 7 },
+    { flap: { root: {} } },
+    { distribution: [] },
+    { distribution: { r: 7 } },
+    { distribution: { mass: { r: 7, values: [] } } },
+    { distribution: { mass: [[1]] } },
+    { name: {} },
+  ]) {
     assert.ok(!isBladeShaped(bad), JSON.stringify(bad));
   }
 });
@@ -161,7 +209,16 @@ async function again(page) {
 
 pageTest("a kept blade that is broken does no harm, and is set aside", {}, async (page) => {
   const entry = (more) => JSON.stringify([{ id: "a", packed: "1.x", name: "b", time: 1, ...more }]);
-  const broken = ["{", "7", entry({}), '[{"id":1}]', entry({ time: 1e300 }), entry({ time: null }), entry({ packed: undefined, content: 7 }), entry({ packed: undefined, content: { blade: { rotor: [] } } })];
+  const broken = [
+    "{",
+    "7",
+    entry({}),
+    '[{"id":1}]',
+    entry({ time: 1e300 }),
+    entry({ time: null }),
+    entry({ packed: undefined, content: 7 }),
+    entry({ packed: undefined, content: { blade: { rotor: [] } } }),
+  ];
   for (const text of broken) {
     await page.evaluate((text) => localStorage.setItem("bladefan-blades", text), text);
     await again(page);
@@ -211,7 +268,13 @@ test("a browser without storage starts the page as ever", async () => {
   const context = await site.browser.newContext({ serviceWorkers: "block" });
   try {
     const page = await context.newPage();
-    await page.addInitScript(() => Object.defineProperty(window, "localStorage", { get: () => { throw new DOMException("denied", "SecurityError"); } }));
+    await page.addInitScript(() =>
+      Object.defineProperty(window, "localStorage", {
+        get: () => {
+          throw new DOMException("denied", "SecurityError");
+        },
+      }),
+    );
     await page.goto(site.origin);
     await drawn(page);
     assert.equal(await page.locator("#blade-choice").inputValue(), "tm4760");
@@ -273,7 +336,16 @@ pageTest("after a link is shared a reload shows what was edited since, to the la
   await page.locator("#numbers-title", { hasText: "800 rpm" }).waitFor();
 });
 
-const asks = await pack({ ...state, doc: null, text: UNIFORM, measured: "", chosen: "1F", tab: "fan", window: { speeds: [0, 1, 100_000] }, options: { modes: "50" } });
+const asks = await pack({
+  ...state,
+  doc: null,
+  text: UNIFORM,
+  measured: "",
+  chosen: "1F",
+  tab: "fan",
+  window: { speeds: [0, 1, 100_000] },
+  options: { modes: "50" },
+});
 pageTest("a link that asks for more than a page should do says so and shows the whole chart", { fragment: `#${asks}` }, async (page) => {
   await page.locator("#message", { hasText: "It asks for 100000 rotor speeds with 50 modes each; at most 800 are taken" }).waitFor();
   assert.equal(await page.locator("#zoom-reset").isDisabled(), true);

@@ -7,7 +7,20 @@ import { convert } from "../../web/stations/forms.js";
 import { MOST_ROWS, blockWords, readBlock, writeBlock } from "../../web/stations/paste/block.js";
 import { headerNotes, mapped } from "../../web/stations/paste/panel.js";
 import { profilePoints, profileWords } from "../../web/stations/profiles.js";
-import { addRow, addStep, cellOf, deleteRows, formOf, moveRows, placeOf, putBlock, readOnly, replaceAll, setCell, stepAt } from "../../web/stations/span.js";
+import {
+  addRow,
+  addStep,
+  cellOf,
+  deleteRows,
+  formOf,
+  moveRows,
+  placeOf,
+  putBlock,
+  readOnly,
+  replaceAll,
+  setCell,
+  stepAt,
+} from "../../web/stations/span.js";
 
 const rows = (text) => {
   const block = readBlock(text);
@@ -17,21 +30,35 @@ const rows = (text) => {
 const refused = (text, words) => assert.match(readBlock(text).refused ?? "", words, JSON.stringify(text.slice(0, 60)));
 
 test("tabs, semicolons and commas part columns; quotes and line ends of all kinds", () => {
-  const want = [[0, 1.5, -2], [1, 2e3, 0.5]];
-  for (const text of ["0\t1.5\t-2\n1\t2e3\t.5", "0\t1.5\t−2\r\n1\t2E+3\t0.5\r\n", "0;1,5;-2\n1;2e3;0,5\n\n", "0,1.5,-2\r1,2000,0.5", '"0","1.5","-2"\n"1","2e3","0.5"', "\ufeff0; 1.5 ;-2;;\n1;2e3;.5;;\n;;;;\n"]) {
+  const want = [
+    [0, 1.5, -2],
+    [1, 2e3, 0.5],
+  ];
+  for (const text of [
+    "0\t1.5\t-2\n1\t2e3\t.5",
+    "0\t1.5\t−2\r\n1\t2E+3\t0.5\r\n",
+    "0;1,5;-2\n1;2e3;0,5\n\n",
+    "0,1.5,-2\r1,2000,0.5",
+    '"0","1.5","-2"\n"1","2e3","0.5"',
+    "\ufeff0; 1.5 ;-2;;\n1;2e3;.5;;\n;;;;\n",
+  ]) {
     assert.deepEqual(rows(text), want, JSON.stringify(text));
   }
 });
 
 test("decimal commas are read between tabs and semicolons, and it is said", () => {
   const block = readBlock("0,5\t1,25\n10,4\t2\n");
-  assert.deepEqual(block.rows, [[0.5, 1.25], [10.4, 2]]);
+  assert.deepEqual(block.rows, [
+    [0.5, 1.25],
+    [10.4, 2],
+  ]);
   assert.equal(blockWords(block), "2 rows × 2 columns; decimal commas read as points");
   assert.equal(blockWords(readBlock("1\t2")), "1 row × 2 columns");
 });
 
 test("what can be read in two ways is refused, not guessed", () => {
-  for (const text of ["1.234,5\t2", "1,234.5\t2", "1 234\t2", "1 234,5;2", "1'234.5\t2", "1,234,567\t2", "1.234.567\t2", '"1,234,567",2']) refused(text, /thousands separator/);
+  for (const text of ["1.234,5\t2", "1,234.5\t2", "1 234\t2", "1 234,5;2", "1'234.5\t2", "1,234,567\t2", "1.234.567\t2", '"1,234,567",2'])
+    refused(text, /thousands separator/);
   refused("1,234\t2\n5,678\t3", /may be 1\.234 or 1234/);
   refused("1,5\t2.5", /commas and points/);
   refused('"1,5",2', /comma inside a number/);
@@ -46,8 +73,15 @@ test("what can be read in two ways is refused, not guessed", () => {
 test("a decimal comma that settles it settles all", () => assert.deepEqual(rows("1,234\t0,5"), [[1.234, 0.5]]));
 
 test("empty cells stay empty, and what is no number stays its text", () => {
-  assert.deepEqual(rows("1\t\t3\n4\t5"), [[1, "", 3], [4, 5, ""]]);
-  assert.deepEqual(rows("1\t<script>alert(1)</script>\n\n2\t#DIV/0!"), [[1, "<script>alert(1)</script>"], ["", ""], [2, "#DIV/0!"]]);
+  assert.deepEqual(rows("1\t\t3\n4\t5"), [
+    [1, "", 3],
+    [4, 5, ""],
+  ]);
+  assert.deepEqual(rows("1\t<script>alert(1)</script>\n\n2\t#DIV/0!"), [
+    [1, "<script>alert(1)</script>"],
+    ["", ""],
+    [2, "#DIV/0!"],
+  ]);
   assert.deepEqual(rows("1\t1e999\tNaN\tInfinity"), [[1, "1e999", "NaN", "Infinity"]]);
   assert.ok(rows(`1\t${"x".repeat(1e6)}`)[0][1].length < 300);
   assert.deepEqual(rows('1\t"a ""b""\nc"'), [[1, 'a "b" c']]);
@@ -73,13 +107,21 @@ test("columns are known by the names of the field", () => {
     twist: ["twist", "Twist [deg]", "theta"],
   };
   for (const [id, all] of Object.entries(names)) for (const name of all) assert.equal(columnOf(name), id, name);
-  for (const name of ["station", "no.", "foo", "", "flap inertia of the hub area", "toString", "__proto__"]) assert.ok([null, "polar_inertia"].includes(columnOf(name)), name);
+  for (const name of ["station", "no.", "foo", "", "flap inertia of the hub area", "toString", "__proto__"])
+    assert.ok([null, "polar_inertia"].includes(columnOf(name)), name);
 });
 
 test("a row of names is taken off, with units beside or below them", () => {
   const block = readBlock("Radius [mm]\tEI flap (N m²)\tcolour\n1\t2\t3\n");
   assert.deepEqual(block.rows, [[1, 2, 3]]);
-  assert.deepEqual(block.header.map(({ id, unit }) => [id, unit]), [["r", "mm"], ["flap_stiffness", "N m²"], [null, null]]);
+  assert.deepEqual(
+    block.header.map(({ id, unit }) => [id, unit]),
+    [
+      ["r", "mm"],
+      ["flap_stiffness", "N m²"],
+      [null, null],
+    ],
+  );
   const below = readBlock("r;m;GJ\n[mm];[kg/m];\n1;2;3\n");
   assert.deepEqual([below.rows, below.header.map(({ unit }) => unit)], [[[1, 2, 3]], ["mm", "kg/m", null]]);
   const to = mapped(block.header, ["r", "flap_stiffness"]).to;
@@ -94,18 +136,34 @@ test("units are the same however they are spelt", () => {
   for (const text of ["Nm²", "N m^2", "N·m2", "N*m**2", "m^2 N"]) assert.ok(isUnit(text, "flap_stiffness", {}), text);
   for (const text of ["lb-in", "lb·in", "lb in^2/in"]) assert.ok(isUnit(text, "polar_inertia", { length: "in", mass: "lb", force: "lbf" }), text);
   assert.ok(isUnit("°", "twist", { angle: "deg" }));
-  for (const [text, id] of [["mm", "r"], ["kNm²", "flap_stiffness"], ["g/m", "mass"], ["deg", "twist"]]) assert.equal(isUnit(text, id, {}), false, text);
+  for (const [text, id] of [
+    ["mm", "r"],
+    ["kNm²", "flap_stiffness"],
+    ["g/m", "mass"],
+    ["deg", "twist"],
+  ])
+    assert.equal(isUnit(text, id, {}), false, text);
 });
 
 test("copied cells come back with every digit", () => {
-  const block = [[0.1 + 0.2, 1e-7, -5], ["", "a\tb", 'q"']];
+  const block = [
+    [0.1 + 0.2, 1e-7, -5],
+    ["", "a\tb", 'q"'],
+  ];
   assert.deepEqual(readBlock(writeBlock(block)).rows.flat().slice(0, 4), [0.30000000000000004, 1e-7, -5, ""]);
   assert.equal(writeBlock(block), '0.30000000000000004\t1e-7\t-5\n\t"a\tb"\t"q"""');
 });
 
 const blade = () => ({
   rotor: { radius: 10 },
-  distribution: { r: [0, 4, 4, 10], mass: [1, 2, 3, 4], flap_stiffness: 5, lag_stiffness: { r: [0, 2, 10], values: [8, 6, 2] }, torsion_stiffness: [7, 7, 7, 7], polar_inertia: 1 },
+  distribution: {
+    r: [0, 4, 4, 10],
+    mass: [1, 2, 3, 4],
+    flap_stiffness: 5,
+    lag_stiffness: { r: [0, 2, 10], values: [8, 6, 2] },
+    torsion_stiffness: [7, 7, 7, 7],
+    polar_inertia: 1,
+  },
 });
 
 test("a property takes another form with its values, or says why not", () => {
@@ -135,7 +193,13 @@ test("a property takes another form with its values, or says why not", () => {
 test("rows are added, repeated, moved and taken out in all lists together", () => {
   const doc = blade();
   addRow(doc, "", 1);
-  assert.deepEqual([doc.distribution.r, doc.distribution.mass], [[0, 2, 4, 4, 10], [1, 1.5, 2, 3, 4]]);
+  assert.deepEqual(
+    [doc.distribution.r, doc.distribution.mass],
+    [
+      [0, 2, 4, 4, 10],
+      [1, 1.5, 2, 3, 4],
+    ],
+  );
   addRow(doc, "", 5);
   assert.equal(cellOf(doc, "", 5, "mass"), "");
   deleteRows(doc, "", 5, 5);
@@ -155,19 +219,45 @@ test("rows are added, repeated, moved and taken out in all lists together", () =
 test("a block grows the table; a single number becomes a list where it must", () => {
   const doc = blade();
   assert.match(putBlock(doc, "", 0, ["r", "mass", "flap_stiffness", "lag_stiffness"], [[0, 1, 2, 3]], 99), /radii of its own/);
-  assert.equal(putBlock(doc, "", 3, ["r", "mass", "flap_stiffness"], [[8, 4, 5], [10, 5, 6]], 99), null);
+  assert.equal(
+    putBlock(
+      doc,
+      "",
+      3,
+      ["r", "mass", "flap_stiffness"],
+      [
+        [8, 4, 5],
+        [10, 5, 6],
+      ],
+      99,
+    ),
+    null,
+  );
   assert.deepEqual(doc.distribution.r, [0, 4, 4, 8, 10]);
   assert.deepEqual(doc.distribution.flap_stiffness, [5, 5, 5, 5, 6]);
   assert.deepEqual(doc.distribution.torsion_stiffness, [7, 7, 7, 7, ""]);
   assert.match(putBlock(doc, "", 3, ["r"], [[1], [2]], 4), /5 rows; at most 4/);
-  const kept = replaceAll(doc, ["r", "mass"], [[0, 1], [10, 2]]);
+  const kept = replaceAll(
+    doc,
+    ["r", "mass"],
+    [
+      [0, 1],
+      [10, 2],
+    ],
+  );
   assert.deepEqual(kept, ["flap_stiffness", "torsion_stiffness"]);
   assert.deepEqual(doc.distribution.flap_stiffness, { r: [0, 4, 4, 8, 10], values: [5, 5, 5, 5, 6] });
 });
 
 test("paths of faults lead to cells", () => {
   const doc = blade();
-  for (const [sheet, row, id, path] of [["", 3, "mass", "distribution.mass[3]"], ["", 1, "r", "distribution.r[1]"], ["lag_stiffness", 1, "lag_stiffness", "distribution.lag_stiffness.values[1]"], ["lag_stiffness", 2, "r", "distribution.lag_stiffness.r[2]"], ["", -1, "flap_stiffness", "distribution.flap_stiffness"]]) {
+  for (const [sheet, row, id, path] of [
+    ["", 3, "mass", "distribution.mass[3]"],
+    ["", 1, "r", "distribution.r[1]"],
+    ["lag_stiffness", 1, "lag_stiffness", "distribution.lag_stiffness.values[1]"],
+    ["lag_stiffness", 2, "r", "distribution.lag_stiffness.r[2]"],
+    ["", -1, "flap_stiffness", "distribution.flap_stiffness"],
+  ]) {
     assert.deepEqual(placeOf(doc, path), { sheet, row, id });
   }
   assert.deepEqual(placeOf(doc, "distribution.mass"), { sheet: "", row: -1, id: "mass" });

@@ -29,14 +29,26 @@ const BLADE = {
   flap: { root: "hingeless" },
   lag: { root: "hingeless" },
   torsion: { root: "rigid" },
-  distribution: { r: [0, 4, 4, 10], mass: [6, 6, 5, 5], flap_stiffness: [9e4, 9e4, 4e4, 4e4], lag_stiffness: { r: [0, 10], values: [9e5, 5e5] }, torsion_stiffness: 8e4, polar_inertia: 0.1 },
+  distribution: {
+    r: [0, 4, 4, 10],
+    mass: [6, 6, 5, 5],
+    flap_stiffness: [9e4, 9e4, 4e4, 4e4],
+    lag_stiffness: { r: [0, 10], values: [9e5, 5e5] },
+    torsion_stiffness: 8e4,
+    polar_inertia: 0.1,
+  },
 };
 const cell = (page, row, column) => page.locator(`.sheet tbody tr[data-row="${row}"] td`).nth(column);
 const click = (page, row, column) => cell(page, row, column).click();
 /** Texts of the cells, rows of stations only. */
-const table = (page, columns) => page.locator(".sheet tbody tr:not(.whole):not(.new)").evaluateAll((all, columns) => all.map((row) => [...row.querySelectorAll("td")].slice(0, columns).map((td) => td.textContent)), columns);
-const focused = (page) => page.evaluate(() => [Number(document.activeElement.closest("tr")?.dataset.row), Number(document.activeElement.dataset.col)]);
-const type = (page, ...keys) => keys.reduce((before, key) => before.then(() => (/^[A-Z]/.test(key) ? page.keyboard.press(key) : page.keyboard.type(key))), Promise.resolve());
+const table = (page, columns) =>
+  page
+    .locator(".sheet tbody tr:not(.whole):not(.new)")
+    .evaluateAll((all, columns) => all.map((row) => [...row.querySelectorAll("td")].slice(0, columns).map((td) => td.textContent)), columns);
+const focused = (page) =>
+  page.evaluate(() => [Number(document.activeElement.closest("tr")?.dataset.row), Number(document.activeElement.dataset.col)]);
+const type = (page, ...keys) =>
+  keys.reduce((before, key) => before.then(() => (/^[A-Z]/.test(key) ? page.keyboard.press(key) : page.keyboard.type(key))), Promise.resolve());
 /** Pastes as Ctrl+V does. */
 const paste = (page, text) =>
   page.evaluate((text) => {
@@ -56,7 +68,15 @@ const faults = (page) => page.locator("#stations-faults li").allTextContents();
 async function solved(page, work) {
   const old = JSON.stringify(await frequencies(page));
   await work();
-  await page.waitForFunction((old) => JSON.stringify(Object.fromEntries([...document.querySelectorAll("#modes tbody tr")].map((row) => [row.cells[0].textContent, Number(row.cells[1].dataset.full)]))) !== old, old);
+  await page.waitForFunction(
+    (old) =>
+      JSON.stringify(
+        Object.fromEntries(
+          [...document.querySelectorAll("#modes tbody tr")].map((row) => [row.cells[0].textContent, Number(row.cells[1].dataset.full)]),
+        ),
+      ) !== old,
+    old,
+  );
   return frequencies(page);
 }
 async function mine(page, blade = BLADE) {
@@ -65,9 +85,25 @@ async function mine(page, blade = BLADE) {
 }
 
 sheetTest("stations stand in columns with their units, steps marked", "tm4760", async (page) => {
-  const heads = await page.locator(".sheet thead th").evaluateAll((all) => all.map((th) => [...th.querySelectorAll(".column-name, .unit")].map((one) => one.textContent).join(" ")));
-  assert.deepEqual(heads, ["", "r in", "mass lb/in", "flap stiffness lbf·in²", "lag stiffness lbf·in²", "torsion stiffness lbf·in²", "polar inertia lb·in", "mass offset in", "twist rad"]);
-  assert.deepEqual((await table(page, 2)).slice(0, 3), [["3", "0.4251"], ["6.87", "0.4251"], ["6.87", "0.1938"]]);
+  const heads = await page
+    .locator(".sheet thead th")
+    .evaluateAll((all) => all.map((th) => [...th.querySelectorAll(".column-name, .unit")].map((one) => one.textContent).join(" ")));
+  assert.deepEqual(heads, [
+    "",
+    "r in",
+    "mass lb/in",
+    "flap stiffness lbf·in²",
+    "lag stiffness lbf·in²",
+    "torsion stiffness lbf·in²",
+    "polar inertia lb·in",
+    "mass offset in",
+    "twist rad",
+  ]);
+  assert.deepEqual((await table(page, 2)).slice(0, 3), [
+    ["3", "0.4251"],
+    ["6.87", "0.4251"],
+    ["6.87", "0.1938"],
+  ]);
   assert.equal(await page.locator('.sheet tr[data-row="2"] th').textContent(), "3 step");
   assert.match(await page.locator('.sheet tr[data-row="1"] th').getAttribute("aria-label"), /step, inboard/);
 });
@@ -156,7 +192,15 @@ sheetTest("blocks are selected, copied with every digit, cut, cleared and pasted
   await type(page, "Control+z");
   await page.locator("#stations-faults").waitFor({ state: "hidden" });
   await type(page, "Control+a");
-  assert.deepEqual((await copy(page)).split("\n").map((row) => row.split("\t").slice(0, 2)), [["0", "0.3333333333333333"], ["4", "6"], ["4", "5"], ["10", "5"]]);
+  assert.deepEqual(
+    (await copy(page)).split("\n").map((row) => row.split("\t").slice(0, 2)),
+    [
+      ["0", "0.3333333333333333"],
+      ["4", "6"],
+      ["4", "5"],
+      ["10", "5"],
+    ],
+  );
 });
 
 test("the clipboard of the system works, too", async () => {
@@ -168,7 +212,13 @@ test("the clipboard of the system works, too", async () => {
     assert.equal(await page.evaluate(() => navigator.clipboard.readText()), "0.4251\n0.4251");
     await page.evaluate(() => navigator.clipboard.writeText("0,5\t2\n0,75\t3\n"));
     await type(page, "Control+v");
-    assert.deepEqual((await table(page, 3)).slice(0, 2).map((row) => row.slice(1)), [["0.5", "2"], ["0.75", "3"]]);
+    assert.deepEqual(
+      (await table(page, 3)).slice(0, 2).map((row) => row.slice(1)),
+      [
+        ["0.5", "2"],
+        ["0.75", "3"],
+      ],
+    );
     assert.equal(await said(page), "2 rows × 2 columns pasted; decimal commas read as points.");
   } finally {
     await close();
@@ -209,11 +259,25 @@ sheetTest("a pasted table with names, units and decimal commas fills its columns
   await mine(page);
   await click(page, 0, 0);
   await paste(page, "Mass [g/m]\tradius [m]\tcolour\n6,5\t0\tred\n6,25\t5\tred\n6\t5\tred\n5\t7,5\tred\n5\t10\t\n");
-  assert.deepEqual((await table(page, 2)), [["0", "6.5"], ["5", "6.25"], ["5", "6"], ["7.5", "5"], ["10", "5"]]);
-  assert.equal(await said(page), "5 rows × 3 columns pasted; decimal commas read as points; columns by their names; left out: “colour”; units are not converted: mass is headed [g/m], taken as kg/m; flap stiffness keeps its radii in a sheet of its own.");
+  assert.deepEqual(await table(page, 2), [
+    ["0", "6.5"],
+    ["5", "6.25"],
+    ["5", "6"],
+    ["7.5", "5"],
+    ["10", "5"],
+  ]);
+  assert.equal(
+    await said(page),
+    "5 rows × 3 columns pasted; decimal commas read as points; columns by their names; left out: “colour”; units are not converted: mass is headed [g/m], taken as kg/m; flap stiffness keeps its radii in a sheet of its own.",
+  );
   // The stiffness stands where it stood, not at the new radii.
   await page.locator("#stations-sheet").selectOption("flap_stiffness");
-  assert.deepEqual(await table(page, 2), [["0", "90000"], ["4", "90000"], ["4", "40000"], ["10", "40000"]]);
+  assert.deepEqual(await table(page, 2), [
+    ["0", "90000"],
+    ["4", "90000"],
+    ["4", "40000"],
+    ["10", "40000"],
+  ]);
   assert.deepEqual(await faults(page), []);
   await page.locator("#stations-sheet").selectOption("");
   await click(page, 0, 0);
@@ -232,15 +296,23 @@ sheetTest("a block that names stiffnesses and no radii is refused, and nothing i
   }
   // With radii that are those of the blade nothing is moved.
   await paste(page, `r\tEI flap\n${was.map(([r]) => `${r}\t9e4`).join("\n")}\n`);
-  assert.deepEqual(await table(page, 2), was.map((row) => row.slice(0, 2)));
+  assert.deepEqual(
+    await table(page, 2),
+    was.map((row) => row.slice(0, 2)),
+  );
   assert.equal(await page.locator("#stations-sheet option").count(), 1);
 });
 
 sheetTest("a blade begun by pasting does not keep where the last one came from", "tm4760", async (page) => {
-  const blade = async () => JSON.parse((await downloaded(page, async () => {
-    await page.locator("#download summary").click();
-    await page.locator("#download-json-blade").click();
-  })).bytes.toString());
+  const blade = async () =>
+    JSON.parse(
+      (
+        await downloaded(page, async () => {
+          await page.locator("#download summary").click();
+          await page.locator("#download-json-blade").click();
+        })
+      ).bytes.toString(),
+    );
   const before = await blade();
   assert.ok(before.source.quality && before.notes);
   await page.locator("#what-if-factors-mass").fill("1");
@@ -267,7 +339,13 @@ sheetTest("pasting refuses what it would have to guess, and hostile text stays t
   await mine(page);
   const was = await table(page, 3);
   await click(page, 0, 1);
-  for (const [text, words] of [["1.234,5\t2", /thousands/], ["1,234\t5", /may be/], ["1\t2\t3\t4\t5\t6\t7\t8", /only 7 are left/], ["1\t2\t3", /radii of its own/], ["", /nothing to paste/]]) {
+  for (const [text, words] of [
+    ["1.234,5\t2", /thousands/],
+    ["1,234\t5", /may be/],
+    ["1\t2\t3\t4\t5\t6\t7\t8", /only 7 are left/],
+    ["1\t2\t3", /radii of its own/],
+    ["", /nothing to paste/],
+  ]) {
     await paste(page, text);
     assert.match(await said(page), words);
     assert.deepEqual(await table(page, 3), was);
@@ -295,7 +373,10 @@ sheetTest("faults stand at their cells, in words below, and in a list that leads
   await click(page, 1, 0);
   await type(page, "5", "Enter");
   await page.locator("#stations-faults li").nth(1).waitFor();
-  assert.deepEqual(await page.locator("#stations-faults button").evaluateAll((all) => all.map((one) => one.dataset.path)), ["distribution.r[2]", "distribution.mass[3]"]);
+  assert.deepEqual(await page.locator("#stations-faults button").evaluateAll((all) => all.map((one) => one.dataset.path)), [
+    "distribution.r[2]",
+    "distribution.mass[3]",
+  ]);
   await page.locator("#stations-faults button").nth(1).click();
   assert.deepEqual(await focused(page), [3, 1]);
   assert.equal(await cell(page, 3, 1).getAttribute("aria-describedby"), "cell-note");
@@ -320,16 +401,27 @@ sheetTest("a property is one number, a list, or on radii of its own", "tm4760", 
     await click(page, -1, 4);
     await type(page, "90000", "Enter");
   });
-  assert.deepEqual((await table(page, 5)).map((row) => row[4]), ["90000", "90000", "90000", "90000"]);
+  assert.deepEqual(
+    (await table(page, 5)).map((row) => row[4]),
+    ["90000", "90000", "90000", "90000"],
+  );
   await type(page, "Control+z");
   await page.locator('[data-form="mass"]').selectOption("number");
   assert.match(await said(page), /mass is not the same at all radii: it goes from 5 to 6/);
   assert.equal(await page.locator('[data-form="mass"]').inputValue(), "list");
   await page.locator('[data-form="lag_stiffness"]').selectOption("list");
-  assert.deepEqual((await table(page, 4)).map((row) => row[3]), ["900000", "740000", "740000", "500000"]);
+  assert.deepEqual(
+    (await table(page, 4)).map((row) => row[3]),
+    ["900000", "740000", "740000", "500000"],
+  );
   await page.locator('[data-form="mass"]').selectOption("own");
   await page.locator("#stations-sheet").selectOption("mass");
-  assert.deepEqual(await table(page, 2), [["0", "6"], ["4", "6"], ["4", "5"], ["10", "5"]]);
+  assert.deepEqual(await table(page, 2), [
+    ["0", "6"],
+    ["4", "6"],
+    ["4", "5"],
+    ["10", "5"],
+  ]);
   assert.equal(await page.locator(".sheet thead th").count(), 3);
   const after = await frequencies(page);
   for (const [label, value] of Object.entries(before)) assert.ok(Math.abs(after[label] - value) < 1e-6 * value, label);
@@ -339,7 +431,10 @@ sheetTest("a property is one number, a list, or on radii of its own", "tm4760", 
   });
   await click(page, 0, 0);
   await paste(page, "r;value\n0;6\n10;5,5");
-  assert.deepEqual((await table(page, 2)).slice(0, 2), [["0", "6"], ["10", "5.5"]]);
+  assert.deepEqual((await table(page, 2)).slice(0, 2), [
+    ["0", "6"],
+    ["10", "5.5"],
+  ]);
 });
 
 sheetTest("a blade without common radii starts with the sheet of a property", "sa330", async (page) => {
@@ -361,9 +456,17 @@ sheetTest("a whole table is pasted into a blade", "uniform", async (page) => {
   await page.locator("#paste-text").fill("nonsense");
   assert.equal(await page.locator("#paste-use").isDisabled(), true);
   await page.locator("#paste-text").fill("r,mass,EI flap,EI lag,GJ,polar inertia\n0,2,1,3,1,1\n0.5,2,1,3,1,1\n0.5,1,1,3,1,1\n1,1,1,3,1,1\n");
-  assert.equal(await page.locator("#paste-words").textContent(), "4 rows × 6 columns understood: r, mass, flap stiffness, lag stiffness, torsion stiffness and polar inertia; columns by their names.");
+  assert.equal(
+    await page.locator("#paste-words").textContent(),
+    "4 rows × 6 columns understood: r, mass, flap stiffness, lag stiffness, torsion stiffness and polar inertia; columns by their names.",
+  );
   await solved(page, () => page.locator("#paste-use").click());
-  assert.deepEqual(await table(page, 2), [["0", "2"], ["0.5", "2"], ["0.5", "1"], ["1", "1"]]);
+  assert.deepEqual(await table(page, 2), [
+    ["0", "2"],
+    ["0.5", "2"],
+    ["0.5", "1"],
+    ["1", "1"],
+  ]);
   assert.match(await said(page), /^4 rows × 6 columns pasted/);
   await button.click();
   await page.locator("#paste-text").evaluate((area, text) => {
@@ -380,7 +483,11 @@ sheetTest("a long blade shows 500 rows at a time, and all of it is kept", "tm476
   const n = 800;
   const r = Array.from({ length: n }, (_, i) => (10 * i) / (n - 1));
   r[n - 1] = 10;
-  await mine(page, { ...BLADE, name: "long", distribution: { ...BLADE.distribution, r, mass: r.map(() => 6), flap_stiffness: r.map((x) => 9e4 - x) } });
+  await mine(page, {
+    ...BLADE,
+    name: "long",
+    distribution: { ...BLADE.distribution, r, mass: r.map(() => 6), flap_stiffness: r.map((x) => 9e4 - x) },
+  });
   await page.locator("#stations-long", { hasText: "The first 500 of 800 rows are shown" }).waitFor();
   assert.equal((await table(page, 1)).length, 500);
   await click(page, 0, 0);
@@ -410,20 +517,28 @@ sheetTest("two thousand rows are pasted, and none is too many", "tm4760", async 
   assert.match(await said(page), /would have 2001 rows; at most 2000/);
 });
 
-sheetTest("a finger chooses a cell, then opens it; a row is chosen by its number", "tm4760", async (page) => {
-  await cell(page, 2, 1).tap();
-  assert.deepEqual(await focused(page), [2, 1]);
-  await cell(page, 2, 1).tap();
-  assert.equal(await page.locator(".sheet td input").inputValue(), "0.1938");
-  await page.keyboard.press("Escape");
-  await page.locator('.sheet tr[data-row="3"] th').click();
-  assert.equal((await copy(page)).split("\t").length, 8);
-}, { hasTouch: true });
+sheetTest(
+  "a finger chooses a cell, then opens it; a row is chosen by its number",
+  "tm4760",
+  async (page) => {
+    await cell(page, 2, 1).tap();
+    assert.deepEqual(await focused(page), [2, 1]);
+    await cell(page, 2, 1).tap();
+    assert.equal(await page.locator(".sheet td input").inputValue(), "0.1938");
+    await page.keyboard.press("Escape");
+    await page.locator('.sheet tr[data-row="3"] th').click();
+    assert.equal((await copy(page)).split("\t").length, 8);
+  },
+  { hasTouch: true },
+);
 
 sheetTest("plots of the properties have their words, and mark the selected station", "tm4760", async (page) => {
   await mine(page);
   const mass = page.locator('.profiles [data-property="mass"] svg');
-  assert.equal(await mass.getAttribute("aria-label"), "mass along the span: from 6 kg/m at r = 0 m to 5 at 10, between 5 and 6; a step at r = 4; at the selected r = 0: 6");
+  assert.equal(
+    await mass.getAttribute("aria-label"),
+    "mass along the span: from 6 kg/m at r = 0 m to 5 at 10, between 5 and 6; a step at r = 4; at the selected r = 0: 6",
+  );
   await click(page, 3, 1);
   assert.match(await mass.getAttribute("aria-label"), /at the selected r = 10: 5$/);
   assert.equal(await mass.locator(".station").count(), 2);
@@ -437,25 +552,43 @@ sheetTest("a grid for screen readers: one stop of the tab key, names and places"
   assert.equal(await grid.getAttribute("aria-colcount"), "9");
   assert.equal(await grid.getAttribute("aria-rowcount"), "33");
   const indices = await grid.locator("tr").evaluateAll((all) => all.map((row) => Number(row.getAttribute("aria-rowindex"))));
-  assert.deepEqual(indices, indices.map((_, i) => i + 1));
-  await page.getByRole("columnheader", { name: /^mass lb\/in/ }).first().waitFor();
-  const unnamed = await page.evaluate(() => [...document.querySelectorAll("#stations :is(button, input, select, textarea)")].filter((one) => !one.getAttribute("aria-label") && !one.labels?.length && !one.textContent.trim()).map((one) => one.outerHTML));
+  assert.deepEqual(
+    indices,
+    indices.map((_, i) => i + 1),
+  );
+  await page
+    .getByRole("columnheader", { name: /^mass lb\/in/ })
+    .first()
+    .waitFor();
+  const unnamed = await page.evaluate(() =>
+    [...document.querySelectorAll("#stations :is(button, input, select, textarea)")]
+      .filter((one) => !one.getAttribute("aria-label") && !one.labels?.length && !one.textContent.trim())
+      .map((one) => one.outerHTML),
+  );
   assert.deepEqual(unnamed, []);
   await click(page, 0, 1);
   const ring = await cell(page, 0, 1).evaluate((td) => getComputedStyle(td).outlineStyle);
   assert.equal(ring, "solid");
 });
 
-for (const [width, height] of [[390, 844], [1280, 800]]) {
+for (const [width, height] of [
+  [390, 844],
+  [1280, 800],
+]) {
   for (const colorScheme of ["light", "dark"]) {
-    sheetTest(`at ${width} px, ${colorScheme}: the sheet scrolls, the page does not`, "tm4760", async (page) => {
-      await click(page, 3, 1);
-      await type(page, "-1", "Enter");
-      await page.locator('.sheet td[aria-invalid="true"]').waitFor();
-      await cell(page, 3, 7).scrollIntoViewIfNeeded();
-      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth), 0);
-      if (width === 390) assert.ok(await page.locator(".sheet-scroll").evaluate((host) => host.scrollWidth > host.clientWidth));
-      await page.screenshot({ path: `${screenshots}${width}-${colorScheme}-stations.png`, fullPage: true });
-    }, { viewport: { width, height }, colorScheme });
+    sheetTest(
+      `at ${width} px, ${colorScheme}: the sheet scrolls, the page does not`,
+      "tm4760",
+      async (page) => {
+        await click(page, 3, 1);
+        await type(page, "-1", "Enter");
+        await page.locator('.sheet td[aria-invalid="true"]').waitFor();
+        await cell(page, 3, 7).scrollIntoViewIfNeeded();
+        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth), 0);
+        if (width === 390) assert.ok(await page.locator(".sheet-scroll").evaluate((host) => host.scrollWidth > host.clientWidth));
+        await page.screenshot({ path: `${screenshots}${width}-${colorScheme}-stations.png`, fullPage: true });
+      },
+      { viewport: { width, height }, colorScheme },
+    );
   }
 }

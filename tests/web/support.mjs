@@ -41,7 +41,10 @@ const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
  */
 export async function findings(page, context = {}, options = {}) {
   if (await page.evaluate(() => typeof axe === "undefined")) await page.addScriptTag({ path: axe });
-  const { violations } = await page.evaluate(([context, options]) => axe.run({ include: document, ...context }, { resultTypes: ["violations"], ...options }), [context, options]);
+  const { violations } = await page.evaluate(
+    ([context, options]) => axe.run({ include: document, ...context }, { resultTypes: ["violations"], ...options }),
+    [context, options],
+  );
   return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(" ")).join(", ")}`);
 }
 

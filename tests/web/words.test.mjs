@@ -62,7 +62,16 @@ test("a fault's place is said as far as it is known", () => {
 });
 
 test("CSV quotes what needs it and keeps every digit", () => {
-  assert.equal(csv(["a", 'b "c", d'], [[0.1 + 0.2, null], [5, "x"]]), 'a,"b ""c"", d"\n0.30000000000000004,\n5,x\n');
+  assert.equal(
+    csv(
+      ["a", 'b "c", d'],
+      [
+        [0.1 + 0.2, null],
+        [5, "x"],
+      ],
+    ),
+    'a,"b ""c"", d"\n0.30000000000000004,\n5,x\n',
+  );
 });
 
 test("a word in CSV or on the clipboard is no formula, and a number stays one", () => {
@@ -80,7 +89,14 @@ test("a word in CSV or on the clipboard is no formula, and a number stays one", 
 });
 
 test("crossings, bounds and differences are said in one way", () => {
-  const fan = { nominal: { speed_rad_s: 10 }, crossings: [{ label: "2F", harmonic: 3, speed_rad_s: 10.5 }, { label: "1F", harmonic: 1, speed_rad_s: 9 }, { label: "1L", harmonic: 9, speed_rad_s: 12 }] };
+  const fan = {
+    nominal: { speed_rad_s: 10 },
+    crossings: [
+      { label: "2F", harmonic: 3, speed_rad_s: 10.5 },
+      { label: "1F", harmonic: 1, speed_rad_s: 9 },
+      { label: "1L", harmonic: 9, speed_rad_s: 12 },
+    ],
+  };
   assert.deepEqual(crossingsWithin(fan, [0.9, 1.1]).map(crossingWords), ["1F × 1P", "2F × 3P"]);
   assert.deepEqual([null, 0, 5e-5, 0.0981, -1.26, 12.34, -250].map(percentWords), ["–", "0 %", "<0.0001 %", "+0.098 %", "−1.3 %", "+12 %", "−250 %"]);
   assert.equal(boundsWords({ frequency_rad_s: 10, lower_rad_s: 10 - 1e-9, upper_rad_s: 10 }, " rad/s"), "±2·10⁻⁹ rad/s");
@@ -89,7 +105,13 @@ test("crossings, bounds and differences are said in one way", () => {
 });
 
 test("CSV of a fan chart and of a convergence study", () => {
-  const fan = { speeds_rad_s: [0, 1.5], branches: [{ label: "1F", frequency_rad_s: [0, 1.6] }, { label: "1T", frequency_rad_s: [7, 7.25] }] };
+  const fan = {
+    speeds_rad_s: [0, 1.5],
+    branches: [
+      { label: "1F", frequency_rad_s: [0, 1.6] },
+      { label: "1T", frequency_rad_s: [7, 7.25] },
+    ],
+  };
   assert.equal(fanCsv(fan), "rotor speed [rad/s],1F [rad/s],1T [rad/s]\n0,0,7\n1.5,1.6,7.25\n");
   const converge = {
     functions: [1, 2],
@@ -138,13 +160,22 @@ test("a listener that sets more is followed by listeners of the newest state", (
   store.subscribe((_, changed) => changed.has("tab") && store.set({ width: 5 }));
   store.subscribe(({ tab, width }, changed) => heard.push([tab, width, ...changed]));
   store.set({ tab: "text" });
-  assert.deepEqual(heard, [["text", 5, "width"], ["text", 5, "tab"]]);
+  assert.deepEqual(heard, [
+    ["text", 5, "width"],
+    ["text", 5, "tab"],
+  ]);
 });
 
 test("each key of the state that a view is made of is declared", async () => {
   const { view } = await unpack(await pack({ ...STATE, doc: {} }));
   const declared = Object.keys(STATE);
   assert.ok(Object.keys(view).length > 10);
-  assert.deepEqual(Object.keys(view).filter((key) => !declared.includes(key)), []);
-  assert.deepEqual(Object.entries(view).filter(([key, value]) => JSON.stringify(value) !== JSON.stringify(STATE[key])), []);
+  assert.deepEqual(
+    Object.keys(view).filter((key) => !declared.includes(key)),
+    [],
+  );
+  assert.deepEqual(
+    Object.entries(view).filter(([key, value]) => JSON.stringify(value) !== JSON.stringify(STATE[key])),
+    [],
+  );
 });

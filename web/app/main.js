@@ -79,7 +79,9 @@ copyFull(at("modes"));
 
 const address = startShare(store, open, say);
 const fromLastVisit = startSession(store, open, say, address.outgrow);
-store.subscribe(({ blade, doc, whatIf, faults }, changed) => changed.has("blade") && faults.length === 0 && store.set({ good: isNeutral(whatIf) ? blade : doc }));
+store.subscribe(
+  ({ blade, doc, whatIf, faults }, changed) => changed.has("blade") && faults.length === 0 && store.set({ good: isNeutral(whatIf) ? blade : doc }),
+);
 
 /** @type {HTMLInputElement[]} */
 const optionFields = [...document.querySelectorAll("[data-option]")];

@@ -12,7 +12,10 @@ const MOST_SPEEDS = 2_001;
 const MOST_FREQUENCIES = MOST_SPEEDS * 20;
 
 const finite = (value) => typeof value === "number" && Number.isFinite(value);
-const oneOf = (...choices) => (value) => choices.includes(value);
+const oneOf =
+  (...choices) =>
+  (value) =>
+    choices.includes(value);
 const text = (longest) => (value) => typeof value === "string" && value.length <= longest;
 const table = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
 const tableOf = (keys, good) => (value) => table(value) && Object.entries(value).every(([key, entry]) => keys.includes(key) && good(entry));
@@ -99,7 +102,11 @@ export function checked(given) {
   if (!table(given) || !(table(given.blade) || text(LONGEST_PLAIN)(given.blade))) throw new Error("it holds no blade");
   const offered = table(given.view) ? given.view : {};
   // The rest keeps its default.
-  const view = Object.fromEntries(Object.entries(VIEW).filter(([key, good]) => Object.hasOwn(offered, key) && good(offered[key])).map(([key]) => [key, offered[key]]));
+  const view = Object.fromEntries(
+    Object.entries(VIEW)
+      .filter(([key, good]) => Object.hasOwn(offered, key) && good(offered[key]))
+      .map(([key]) => [key, offered[key]]),
+  );
   if (view.whatIf) view.whatIf = { ...view.whatIf, length: view.whatIf.length ?? null };
   const refused = tooMuch(view);
   if (refused !== null) view.window = null;

@@ -112,7 +112,8 @@ export function startSession(store, open, say, onKept) {
 
   return async () => {
     const unread = setAside();
-    const note = unread === 0 ? "" : `${unread === 1 ? "A kept blade cannot be read and is" : `${unread} kept blades cannot be read and are`} set aside. `;
+    const note =
+      unread === 0 ? "" : `${unread === 1 ? "A kept blade cannot be read and is" : `${unread} kept blades cannot be read and are`} set aside. `;
     if (unread > 0) say(note);
     list();
     const [last] = kept();

@@ -26,7 +26,10 @@ export function setAt(doc, path, value) {
 }
 
 function steps(path) {
-  return path.split(/\.|\[|\]/).filter((step) => step !== "").map((step) => (/^\d+$/.test(step) ? Number(step) : step));
+  return path
+    .split(/\.|\[|\]/)
+    .filter((step) => step !== "")
+    .map((step) => (/^\d+$/.test(step) ? Number(step) : step));
 }
 
 /** Makes the document of the state, which alone changes `doc`, `text`, `draft` and `choice`. */
@@ -41,7 +44,8 @@ export function createDocument(store) {
     return { entry: { doc, text, choice, draft, textFaults, keptAs }, which };
   };
   // A text that was no blade is gone with the next one.
-  const show = (entry, more = {}) => store.set({ draft: null, textFaults: [], ...entry, ...more, canUndo: past.length > 0, canRedo: future.length > 0 });
+  const show = (entry, more = {}) =>
+    store.set({ draft: null, textFaults: [], ...entry, ...more, canUndo: past.length > 0, canRedo: future.length > 0 });
 
   function remember(key) {
     const time = performance.now();

@@ -105,7 +105,12 @@ export function startForm(store, blade) {
   const nominal = field("nominal speed", "rotor.nominal_speed", "speed");
   nominal.querySelector(".unit").replaceWith(speed);
   form.append(
-    make("div", { className: "form-field wide" }, make("label", { htmlFor: "field-name", textContent: "name" }), make("input", { type: "text", id: "field-name", autocomplete: "off", dataset: { path: "name", text: "" } })),
+    make(
+      "div",
+      { className: "form-field wide" },
+      make("label", { htmlFor: "field-name", textContent: "name" }),
+      make("input", { type: "text", id: "field-name", autocomplete: "off", dataset: { path: "name", text: "" } }),
+    ),
     field("radius", "rotor.radius", "length"),
     nominal,
     field("blades", "rotor.blades", ""),

@@ -27,7 +27,8 @@ export function startOpening(store, client, blade, say) {
     const { doc, library, choice } = store.get();
     const first = library.find(({ name }) => name === choice) ?? library[0];
     const { draft, textFaults } = store.get();
-    if (doc === null && first) blade.open(structuredClone(first.blade), { choice: first.name, text: first.toml }, { ...afresh({}, first.blade), draft, textFaults });
+    if (doc === null && first)
+      blade.open(structuredClone(first.blade), { choice: first.name, text: first.toml }, { ...afresh({}, first.blade), draft, textFaults });
   }
 
   /** A text that is no blade: it stands in its tab with its faults, and the blade before stays where it was. */
@@ -49,7 +50,10 @@ export function startOpening(store, client, blade, say) {
     editor.take(text, typed);
     if (result.status === "error") {
       refuse(text, result.faults, typed);
-      if (!typed) say(`This is no blade yet: ${result.faults.length === 1 ? "its fault stands" : `its ${result.faults.length} faults stand`} below the text. Charts and numbers are of the blade before.`);
+      if (!typed)
+        say(
+          `This is no blade yet: ${result.faults.length === 1 ? "its fault stands" : `its ${result.faults.length} faults stand`} below the text. Charts and numbers are of the blade before.`,
+        );
       return true;
     }
     blade.open(result.value, { choice: built ? choice : OWN, text }, { key, ...(typed ? retyped(result.value) : afresh(view, result.value)) });
@@ -107,7 +111,9 @@ export function startOpening(store, client, blade, say) {
   async function openFile(file) {
     if (!file) return;
     if (file.size > LARGEST_FILE) {
-      say(`${file.name} has ${(file.size / 1e6).toFixed(0)} MB; a blade file has at most ${LARGEST_FILE / 1e6} MB. The blade on the page is unchanged.`);
+      say(
+        `${file.name} has ${(file.size / 1e6).toFixed(0)} MB; a blade file has at most ${LARGEST_FILE / 1e6} MB. The blade on the page is unchanged.`,
+      );
       return;
     }
     // A text area holds line feeds only; places of faults are counted in what it holds.

@@ -8,7 +8,8 @@ const isTable = (value) => typeof value === "object" && value !== null && !Array
 const isLeaf = (value) => ["number", "string", "boolean"].includes(typeof value);
 /** Values may be missing in a list: JSON has null for them. */
 const isList = (value) => Array.isArray(value) && value.every((entry) => entry === null || isLeaf(entry));
-const isCurve = (value) => isTable(value) && Object.keys(value).every((key) => ["r", "values"].includes(key)) && isList(value.r) && isList(value.values);
+const isCurve = (value) =>
+  isTable(value) && Object.keys(value).every((key) => ["r", "values"].includes(key)) && isList(value.r) && isList(value.values);
 
 /** Whether a value is a blade but for its values. */
 export function isBladeShaped(doc) {
@@ -16,5 +17,8 @@ export function isBladeShaped(doc) {
   const { distribution = {}, ...rest } = doc;
   if (!isTable(distribution) || (distribution.r !== undefined && !isList(distribution.r))) return false;
   const properties = Object.values(distribution).every((value) => isLeaf(value) || isList(value) || isCurve(value));
-  return properties && Object.entries(rest).every(([key, value]) => (TABLES.includes(key) ? isTable(value) && Object.values(value).every(isLeaf) : isLeaf(value)));
+  return (
+    properties &&
+    Object.entries(rest).every(([key, value]) => (TABLES.includes(key) ? isTable(value) && Object.values(value).every(isLeaf) : isLeaf(value)))
+  );
 }

@@ -105,7 +105,8 @@ export function textOffset(text, line, column) {
 
 function noteOf({ doc, text, draft }) {
   if (draft !== null) return "This text is no blade yet; its faults stand below. Fields, charts and numbers are those of the blade before.";
-  if (text === null && doc !== null) return "The blade as a file, written from the fields. Comments of an opened file are not kept once a field is changed.";
+  if (text === null && doc !== null)
+    return "The blade as a file, written from the fields. Comments of an opened file are not kept once a field is changed.";
   return `The blade as a file, ${textFormat(text ?? "") === "json" ? "JSON" : "TOML"}. What is typed here is solved, too.`;
 }
 

@@ -5,7 +5,12 @@ import { fieldNumber, fieldValue } from "../lib/format.js";
 import { NEUTRAL, changesOf, isNeutral, lengthOf, lengthsOf, withLengths } from "../lib/what-if.js";
 import { unitOf } from "../lib/unit-words.js";
 
-const FACTORS = { flap_stiffness: "Flap stiffness", lag_stiffness: "Lag stiffness", torsion_stiffness: "Torsion stiffness", mass: "Mass and polar inertia" };
+const FACTORS = {
+  flap_stiffness: "Flap stiffness",
+  lag_stiffness: "Lag stiffness",
+  torsion_stiffness: "Torsion stiffness",
+  mass: "Mass and polar inertia",
+};
 const DOFS = { flap: "Flap", lag: "Lag", torsion: "Torsion" };
 /** Sliders of factors go from a quarter to four times, evenly in the logarithm. */
 const OCTAVES = 2;
@@ -70,7 +75,9 @@ export function startWhatIf(store, client, blade, say) {
     return select;
   });
   const buttons = Object.assign(document.createElement("div"), { className: "what-if-buttons" });
-  const [reset, keep] = ["Reset", "Keep in the blade"].map((text) => Object.assign(document.createElement("button"), { type: "button", textContent: text }));
+  const [reset, keep] = ["Reset", "Keep in the blade"].map((text) =>
+    Object.assign(document.createElement("button"), { type: "button", textContent: text }),
+  );
   reset.id = "what-if-reset";
   keep.id = "what-if-keep";
   buttons.append(reset, keep);
@@ -88,7 +95,12 @@ export function startWhatIf(store, client, blade, say) {
   /** The blade has another unit of length: the changes follow. They are solved right meanwhile, for they name theirs. */
   async function convert({ doc, whatIf }) {
     const length = lengthOf(doc);
-    const result = await client.call("lengths", "convert_blade", { schema: doc.schema, units: { length: whatIf.length }, distribution: { r: lengthsOf(whatIf) } }, { length });
+    const result = await client.call(
+      "lengths",
+      "convert_blade",
+      { schema: doc.schema, units: { length: whatIf.length }, distribution: { r: lengthsOf(whatIf) } },
+      { length },
+    );
     if (result === null || store.get().whatIf !== whatIf || lengthOf(store.get().doc) !== length) return;
     if (result.status === "ok") store.set({ whatIf: withLengths(whatIf, result.value.distribution.r, length) });
     else store.set({ whatIf: NEUTRAL });
@@ -111,7 +123,9 @@ export function startWhatIf(store, client, blade, say) {
     const signature = wanted.map((row) => row.key).join();
     if (signature !== planned) {
       planned = signature;
-      rows.replaceChildren(...wanted.map(({ key, name }) => row(name, key, key.startsWith("offsets") ? {} : { min: -OCTAVES, max: OCTAVES, step: 0.01 })));
+      rows.replaceChildren(
+        ...wanted.map(({ key, name }) => row(name, key, key.startsWith("offsets") ? {} : { min: -OCTAVES, max: OCTAVES, step: 0.01 })),
+      );
     }
     for (const { key } of wanted.filter(({ key }) => key.startsWith("offsets"))) {
       const slider = rows.querySelector(`[data-key="${key}"] input[type="range"]`);

@@ -68,7 +68,9 @@ export function startBand(chart, store) {
     const ends = band.map((ratio) => fieldNumber(shown(ratio * report.nominal.speed_rad_s), 4));
     const [first, last] = [report.speeds_rad_s[0], report.speeds_rad_s.at(-1)];
     const cut = window !== null && (band[0] * report.nominal.speed_rad_s < first || band[1] * report.nominal.speed_rad_s > last);
-    const all = crossingsWithin(report, band).map((crossing) => `${crossingWords(crossing)} at ${fieldNumber(shown(crossing.speed_rad_s), 4)} ${speedUnit}`);
+    const all = crossingsWithin(report, band).map(
+      (crossing) => `${crossingWords(crossing)} at ${fieldNumber(shown(crossing.speed_rad_s), 4)} ${speedUnit}`,
+    );
     const along = report.coincident.map(({ label, harmonic }) => `${label} lies on ${harmonic}P at every speed`);
     const told = [...along, ...all.slice(0, MOST), ...(all.length > MOST ? [`${all.length - MOST} more`] : [])];
     const text = `Band of ${ends[0]} to ${ends[1]} ${speedUnit}${cut ? ", as far as it is in view" : ""}: ${told.length === 0 ? `no crossing up to ${report.harmonics}P` : told.join("; ")}.`;

@@ -119,7 +119,12 @@ export class Chart {
     const dots = frame.points(speed).map(({ branch, y }) => element("circle", { cx: x, cy: y, r: 4, "data-dof": branch.dof }));
     this.layers.mark.replaceChildren(element("line", { x1: x, x2: x, y1: frame.top, y2: frame.bottom }), ...dots);
     this.put(this.#handle, x, frame.bottom);
-    this.value(this.#handle, { from: frame.shown(from), to: frame.shown(to), now: frame.shown(speed), words: `${fieldNumber(frame.shown(speed))} ${frame.speedUnit}` });
+    this.value(this.#handle, {
+      from: frame.shown(from),
+      to: frame.shown(to),
+      now: frame.shown(speed),
+      words: `${fieldNumber(frame.shown(speed))} ${frame.speedUnit}`,
+    });
   }
 
   /** Puts an element at a place of the drawing, in its pixels. */

@@ -99,7 +99,7 @@ export function startHover(chart, onSpeed) {
   /** The keys begin at the middle of the chart, or where the pointer was. */
   function begin(frame) {
     const [from, to] = frame.speeds;
-    const speed = place?.point ? frame.speed(place.point.x) : place?.speed ?? (from + to) / 2;
+    const speed = place?.point ? frame.speed(place.point.x) : (place?.speed ?? (from + to) / 2);
     if (place?.label) return { label: place.label, speed: Math.min(to, Math.max(from, speed)) };
     const found = place?.point ? nearest(frame, place.point) : frame.points(speed)[0];
     return found ? { label: found.branch.label, speed } : null;

@@ -24,21 +24,50 @@ function example(fan) {
 
 /** Makes the disclosure. The state holds the last text without faults. */
 export function startMeasured(store, client) {
-  const text = make("textarea", { id: "measured-text", rows: 5, spellcheck: false, wrap: "off", placeholder: "label,speed [rpm],frequency [Hz],source\n1F,660,11.5,whirl test" });
+  const text = make("textarea", {
+    id: "measured-text",
+    rows: 5,
+    spellcheck: false,
+    wrap: "off",
+    placeholder: "label,speed [rpm],frequency [Hz],source\n1F,660,11.5,whirl test",
+  });
   text.setAttribute("aria-describedby", "measured-note");
   const label = make("label", { htmlFor: "measured-text", textContent: "Points as CSV: label, speed, frequency, source" });
-  const note = make("p", { id: "measured-note", className: "note", textContent: "Units stand in the header: speed in rpm, Hz or rad/s, frequency in Hz or rad/s. The points stay in this page." });
+  const note = make("p", {
+    id: "measured-note",
+    className: "note",
+    textContent: "Units stand in the header: speed in rpm, Hz or rad/s, frequency in Hz or rad/s. The points stay in this page.",
+  });
   const paste = make("button", { type: "button", id: "measured-example", textContent: "Paste an example" });
   const open = make("button", { type: "button", id: "measured-open", textContent: "Open CSV…" });
   const clear = make("button", { type: "button", id: "measured-clear", textContent: "Clear" });
-  const file = make("input", { type: "file", id: "measured-file", accept: ".csv,text/csv,text/plain", ariaLabel: "Measured points, CSV", hidden: true });
+  const file = make("input", {
+    type: "file",
+    id: "measured-file",
+    accept: ".csv,text/csv,text/plain",
+    ariaLabel: "Measured points, CSV",
+    hidden: true,
+  });
   const faults = make("ul", { id: "measured-faults", className: "fault-list", ariaLabel: "Faults in the measured points", hidden: true });
   const body = document.createElement("tbody");
-  const header = ["point", "speed", "measured", "computed", "error", "source"].map((name) => Object.assign(make("th", { textContent: name }), { scope: "col" }));
+  const header = ["point", "speed", "measured", "computed", "error", "source"].map((name) =>
+    Object.assign(make("th", { textContent: name }), { scope: "col" }),
+  );
   const table = make("table", { id: "measured-table", hidden: true }, make("thead", {}, make("tr", {}, ...header)), body);
   const scroll = make("div", { className: "scroll", tabIndex: 0, role: "region", ariaLabel: "Measured points compared" }, table);
   const summary = make("summary", { textContent: "Measured points" });
-  const details = make("details", { id: "measured-details" }, summary, label, text, make("div", { className: "measured-buttons" }, paste, open, clear), file, note, faults, scroll);
+  const details = make(
+    "details",
+    { id: "measured-details" },
+    summary,
+    label,
+    text,
+    make("div", { className: "measured-buttons" }, paste, open, clear),
+    file,
+    note,
+    faults,
+    scroll,
+  );
   at("measured").append(details);
 
   let typing;
@@ -50,7 +79,8 @@ export function startMeasured(store, client) {
 
   async function take() {
     const given = text.value;
-    if (given.length > LARGEST) return complain(`The text has ${Math.ceil(given.length / 1000)} kB; at most ${LARGEST / 1000} kB of points are taken.`);
+    if (given.length > LARGEST)
+      return complain(`The text has ${Math.ceil(given.length / 1000)} kB; at most ${LARGEST / 1000} kB of points are taken.`);
     if (given.trim() === "") {
       sent = "";
       listFaults(faults, []);
@@ -68,7 +98,8 @@ export function startMeasured(store, client) {
   async function openFile(chosen) {
     if (!chosen) return;
     details.open = true;
-    if (chosen.size > LARGEST) return complain(`${chosen.name} has ${Math.ceil(chosen.size / 1000)} kB; at most ${LARGEST / 1000} kB of points are taken.`);
+    if (chosen.size > LARGEST)
+      return complain(`${chosen.name} has ${Math.ceil(chosen.size / 1000)} kB; at most ${LARGEST / 1000} kB of points are taken.`);
     text.value = (await chosen.text()).replaceAll("\r\n", "\n");
     await take();
   }
@@ -103,7 +134,12 @@ export function startMeasured(store, client) {
           percentWords(point.error_percent),
           point.source,
         ];
-        return make("tr", {}, Object.assign(make("th", { textContent: point.label }), { scope: "row" }), ...cells.map((textContent) => make("td", { textContent })));
+        return make(
+          "tr",
+          {},
+          Object.assign(make("th", { textContent: point.label }), { scope: "row" }),
+          ...cells.map((textContent) => make("td", { textContent })),
+        );
       }),
     );
   }

@@ -32,12 +32,28 @@ function fanTables({ plots, report }) {
   const frequency = (value, at) => shown(inUnit(value, at, y.unit));
   const { speeds_rad_s: speeds, branches, crossings, coincident, nominal } = report;
   return [
-    table(`Distances to the nearest harmonic at nominal speed, ${speed(nominal.speed_rad_s)} ${x.unit}`, ["branch", "/rev", "nearest harmonic"], nominal.margins.map((margin) => [margin.label, perRevWords(margin.per_rev), marginWords(margin, "/rev")])),
-    table(`Crossings with harmonics up to ${report.harmonics}P`, ["crossing", `rotor speed [${x.unit}]`, `frequency [${y.unit}]`], [
-      ...coincident.map((coincidence) => [crossingWords(coincidence), "every speed", "–"]),
-      ...crossings.map((crossing) => [crossingWords(crossing), speed(crossing.speed_rad_s), frequency(crossing.frequency_rad_s, crossing.speed_rad_s)]),
-    ]),
-    table(`Frequencies [${y.unit}] over rotor speed`, [x.unit, ...branches.map(({ label }) => label)], speeds.map((at, i) => [speed(at), ...branches.map((branch) => frequency(branch.frequency_rad_s[i], at))])),
+    table(
+      `Distances to the nearest harmonic at nominal speed, ${speed(nominal.speed_rad_s)} ${x.unit}`,
+      ["branch", "/rev", "nearest harmonic"],
+      nominal.margins.map((margin) => [margin.label, perRevWords(margin.per_rev), marginWords(margin, "/rev")]),
+    ),
+    table(
+      `Crossings with harmonics up to ${report.harmonics}P`,
+      ["crossing", `rotor speed [${x.unit}]`, `frequency [${y.unit}]`],
+      [
+        ...coincident.map((coincidence) => [crossingWords(coincidence), "every speed", "–"]),
+        ...crossings.map((crossing) => [
+          crossingWords(crossing),
+          speed(crossing.speed_rad_s),
+          frequency(crossing.frequency_rad_s, crossing.speed_rad_s),
+        ]),
+      ],
+    ),
+    table(
+      `Frequencies [${y.unit}] over rotor speed`,
+      [x.unit, ...branches.map(({ label }) => label)],
+      speeds.map((at, i) => [speed(at), ...branches.map((branch) => frequency(branch.frequency_rad_s[i], at))]),
+    ),
   ];
 }
 
@@ -45,7 +61,11 @@ function shapesTables({ report }) {
   const { r_m: radii, shapes } = report;
   const quantities = { displacement: "Displacement", slope: "Slope [1/m]", moment: "Moment [N·m]" };
   return Object.entries(quantities).map(([key, name]) =>
-    table(`${name} along the span`, ["r [m]", ...shapes.map(({ label }) => label)], radii.map((r, i) => [fieldNumber(r), ...shapes.map((shape) => shown(shape[key][i]))])),
+    table(
+      `${name} along the span`,
+      ["r [m]", ...shapes.map(({ label }) => label)],
+      radii.map((r, i) => [fieldNumber(r), ...shapes.map((shape) => shown(shape[key][i]))]),
+    ),
   );
 }
 
@@ -54,9 +74,24 @@ function convergeTables({ report }) {
   const labels = series.map(({ label }) => label);
   const most = Math.max(0, ...series.map((one) => one.piecewise_functions.length));
   return [
-    table("Converged frequency and its bounds [rad/s]", ["mode", "converged", "lower bound", "upper bound"], series.map((one) => [one.label, shown(one.converged_rad_s), shown(one.lower_rad_s), shown(one.upper_rad_s)])),
-    table("The paper’s functions: frequency [rad/s] by their number", ["functions", ...labels], functions.map((count, i) => [String(count), ...series.map((one) => shown(one.classical_rad_s[i]))])),
-    table("Piecewise functions: number, and frequency [rad/s]", ["refinement", ...labels], Array.from({ length: most }, (_, i) => [String(i + 1), ...series.map((one) => (i < one.piecewise_functions.length ? `${one.piecewise_functions[i]}: ${shown(one.piecewise_rad_s[i])}` : "–"))])),
+    table(
+      "Converged frequency and its bounds [rad/s]",
+      ["mode", "converged", "lower bound", "upper bound"],
+      series.map((one) => [one.label, shown(one.converged_rad_s), shown(one.lower_rad_s), shown(one.upper_rad_s)]),
+    ),
+    table(
+      "The paper’s functions: frequency [rad/s] by their number",
+      ["functions", ...labels],
+      functions.map((count, i) => [String(count), ...series.map((one) => shown(one.classical_rad_s[i]))]),
+    ),
+    table(
+      "Piecewise functions: number, and frequency [rad/s]",
+      ["refinement", ...labels],
+      Array.from({ length: most }, (_, i) => [
+        String(i + 1),
+        ...series.map((one) => (i < one.piecewise_functions.length ? `${one.piecewise_functions[i]}: ${shown(one.piecewise_rad_s[i])}` : "–")),
+      ]),
+    ),
   ];
 }
 

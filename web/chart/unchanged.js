@@ -21,7 +21,11 @@ function path({ speedUnit, unit }, before, branch) {
 /** Draws `before` of the state whenever it, or the drawing, is another. */
 export function startUnchanged(chart, store) {
   const { before: layer } = chart.layers;
-  const note = Object.assign(document.createElement("p"), { className: "note before-note", hidden: true, textContent: "Thin faint lines: the blade without the changes of “What if”." });
+  const note = Object.assign(document.createElement("p"), {
+    className: "note before-note",
+    hidden: true,
+    textContent: "Thin faint lines: the blade without the changes of “What if”.",
+  });
   at("band-note").after(note);
   // The layer is clipped to the frame, the group in it scaled.
   const group = element("g", {});

@@ -88,7 +88,10 @@ export function startZoom(chart, store) {
   }
 
   function box(start) {
-    const clamp = ({ x, y }) => ({ x: Math.min(chart.frame.right, Math.max(chart.frame.left, x)), y: Math.min(chart.frame.bottom, Math.max(chart.frame.top, y)) });
+    const clamp = ({ x, y }) => ({
+      x: Math.min(chart.frame.right, Math.max(chart.frame.left, x)),
+      y: Math.min(chart.frame.bottom, Math.max(chart.frame.top, y)),
+    });
     const corner = clamp(start);
     const ends = (to) => ({ x: [corner.x, to.x].sort((a, b) => a - b), y: [corner.y, to.y].sort((a, b) => a - b) });
     return {
@@ -101,7 +104,10 @@ export function startZoom(chart, store) {
         toggleBox(false);
         if (x[1] - x[0] < SLIP || y[1] - y[0] < SLIP) return;
         const { frame } = chart;
-        set(x.map((value) => frame.speed(value)), [frame.value(y[1]), frame.value(y[0])]);
+        set(
+          x.map((value) => frame.speed(value)),
+          [frame.value(y[1]), frame.value(y[0])],
+        );
       },
       cancel: () => toggleBox(false),
     };
@@ -140,12 +146,16 @@ export function startZoom(chart, store) {
       pinch = null;
     });
   }
-  host.addEventListener("wheel", (event) => {
-    if (!event.ctrlKey || chart.frame === null) return;
-    event.preventDefault();
-    const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
-    zoom(Math.exp(-Math.max(-120, Math.min(120, event.deltaY * lines)) / 300), chart.point(event));
-  }, { passive: false });
+  host.addEventListener(
+    "wheel",
+    (event) => {
+      if (!event.ctrlKey || chart.frame === null) return;
+      event.preventDefault();
+      const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
+      zoom(Math.exp(-Math.max(-120, Math.min(120, event.deltaY * lines)) / 300), chart.point(event));
+    },
+    { passive: false },
+  );
   host.addEventListener("dblclick", (event) => {
     if (chart.frame === null || event.target.closest(".handle") || !chart.frame.holds(chart.point(event))) return;
     store.set({ window: null, speed: lastPress.speed }); // the clicks chose a speed on their way

@@ -23,7 +23,10 @@ export function fieldNumber(value, digits = 5) {
  * a decimal one, but 1,234 may mean two numbers and is neither.
  */
 export function fieldValue(text) {
-  const plain = text.trim().replace(/[−‒–]/g, "-").replace(/[\s\u00a0\u202f]/g, "");
+  const plain = text
+    .trim()
+    .replace(/[−‒–]/g, "-")
+    .replace(/[\s\u00a0\u202f]/g, "");
   if (plain === "") return undefined;
   const decimal = /^[+-]?\d+,\d+$/.test(plain) && !/^[+-]?[1-9]\d{0,2},\d{3}$/.test(plain);
   const number = Number(decimal ? plain.replace(",", ".") : plain);

@@ -24,7 +24,8 @@ export function lessonWords(report, label, functions) {
   }
   const first = piecewise.findIndex((value) => value !== null);
   const there = piecewise.findIndex((value) => value !== null && Math.abs(value - converged) <= CONVERGED * converged);
-  if (first >= 0 && there > first) sentences.push(`Piecewise functions: ${off(piecewise[first], converged)} with ${counts[first]}, converged with ${counts[there]}:`);
+  if (first >= 0 && there > first)
+    sentences.push(`Piecewise functions: ${off(piecewise[first], converged)} with ${counts[first]}, converged with ${counts[there]}:`);
   else sentences.push(`Piecewise functions: converged${there >= 0 ? ` with ${counts[there]}` : ""}:`);
   const bounds = boundsWords({ ...series, frequency_rad_s: converged });
   sentences.push(`${figures(converged)}${bounds === "–" ? "" : ` ${bounds}`} rad/s.`);

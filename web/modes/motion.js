@@ -46,10 +46,16 @@ function plot(shape, ratio, moments, nodes) {
   const line = (values, scale) => values.map((value, i) => `${i === 0 ? "M" : "L"}${x(ratio[i]).toFixed(1)} ${y(value / scale).toFixed(1)}`).join("");
   const svg = element("svg", { viewBox: `0 0 ${width} ${height}`, class: "shape-plot", role: "img" });
   for (const r of [0, 0.2, 0.4, 0.6, 0.8, 1]) {
-    svg.append(element("path", { class: "grid", d: `M${x(r)} ${frame.top}V${frame.bottom}` }), element("text", { x: x(r), y: frame.bottom + 13, "text-anchor": "middle" }, r === 0 ? "0" : r.toFixed(1)));
+    svg.append(
+      element("path", { class: "grid", d: `M${x(r)} ${frame.top}V${frame.bottom}` }),
+      element("text", { x: x(r), y: frame.bottom + 13, "text-anchor": "middle" }, r === 0 ? "0" : r.toFixed(1)),
+    );
   }
   for (const value of [-1, 0, 1]) {
-    svg.append(element("path", { class: value === 0 ? "zero" : "grid", d: `M${frame.left} ${y(value)}H${frame.right}` }), element("text", { x: frame.left - 4, y: y(value) + 3.5, "text-anchor": "end" }, String(value).replace("-", "−")));
+    svg.append(
+      element("path", { class: value === 0 ? "zero" : "grid", d: `M${frame.left} ${y(value)}H${frame.right}` }),
+      element("text", { x: frame.left - 4, y: y(value) + 3.5, "text-anchor": "end" }, String(value).replace("-", "−")),
+    );
   }
   svg.append(element("text", { x: (frame.left + frame.right) / 2, y: height - 3, "text-anchor": "middle" }, "span r/R"));
   const most = largest(ratio, moments);
@@ -90,12 +96,32 @@ export function startMotion(store, client) {
   }
   const relative = make("input", { type: "checkbox", checked: true, id: "motion-relative" });
   relative.addEventListener("change", setStage);
-  const tools = make("div", { className: "motion-tools", role: "group", ariaLabel: "Motion" }, play, views, make("label", { className: "toggle" }, relative, "all modes at true relative frequency"));
-  const paths = Object.fromEntries(["shaft", "faint", "other", "hub", "arm", "face", "ribs", "edge", "nodes"].map((name) => [name, element("path", { class: name })]));
+  const tools = make(
+    "div",
+    { className: "motion-tools", role: "group", ariaLabel: "Motion" },
+    play,
+    views,
+    make("label", { className: "toggle" }, relative, "all modes at true relative frequency"),
+  );
+  const paths = Object.fromEntries(
+    ["shaft", "faint", "other", "hub", "arm", "face", "ribs", "edge", "nodes"].map((name) => [name, element("path", { class: name })]),
+  );
   const root = element("g", { class: "root" });
   const spoke = element("g", {}, element("path", { d: "M0 0L0 -11" }), element("circle", { cx: 0, cy: -11, r: 2.5 }));
-  const rotor = element("g", { class: "rotor", transform: `translate(20 18)` }, element("circle", { r: 11 }), spoke, element("text", { y: 23, "text-anchor": "middle" }, "rotor"));
-  const picture = element("svg", { viewBox: `0 0 ${STAGE.width} ${STAGE.height}`, class: "stage", role: "img" }, ...Object.values(paths), root, rotor);
+  const rotor = element(
+    "g",
+    { class: "rotor", transform: `translate(20 18)` },
+    element("circle", { r: 11 }),
+    spoke,
+    element("text", { y: 23, "text-anchor": "middle" }, "rotor"),
+  );
+  const picture = element(
+    "svg",
+    { viewBox: `0 0 ${STAGE.width} ${STAGE.height}`, class: "stage", role: "img" },
+    ...Object.values(paths),
+    root,
+    rotor,
+  );
   const paceNote = make("p", { className: "note", id: "motion-pace" });
   const plotPlace = make("div", { className: "plot-place" });
   const nodeNote = make("p", { id: "motion-nodes" });
@@ -163,18 +189,41 @@ export function startMotion(store, client) {
     const unit = shape.displacement.map((w) => w / most);
     const project = camera(shown, dof);
     const even = !relative.checked;
-    stage = { dof, at: coarse(ratio), shape: coarse(unit), project, pace: pace({ frequency: mode.frequency_rad_s, speed: state.modes.speed_rad_s, nominal: state.fan?.nominal.speed_rad_s ?? 0 }, even) };
+    stage = {
+      dof,
+      at: coarse(ratio),
+      shape: coarse(unit),
+      project,
+      pace: pace({ frequency: mode.frequency_rad_s, speed: state.modes.speed_rad_s, nominal: state.fan?.nominal.speed_rad_s ?? 0 }, even),
+    };
     const nodes = shape.nodes_m.map((r) => r / radius);
     host.dataset.dof = dof;
     host.dataset.view = shown;
     for (const [name, d] of Object.entries(hubPaths(ratio[0], project))) paths[name].setAttribute("d", d);
     paths.faint.setAttribute("d", platePaths(dof, stage.at, stage.shape, 0, project).face);
     paths.other.setAttribute("d", [1, -1].map((share) => platePaths(dof, stage.at, stage.shape, share, project).face).join(""));
-    paths.nodes.setAttribute("d", nodes.map((node) => `M${chordAt(dof, node, 0).map((point) => project(point).map((v) => v.toFixed(1)).join(" ")).join("L")}`).join(""));
+    paths.nodes.setAttribute(
+      "d",
+      nodes
+        .map(
+          (node) =>
+            `M${chordAt(dof, node, 0)
+              .map((point) =>
+                project(point)
+                  .map((v) => v.toFixed(1))
+                  .join(" "),
+              )
+              .join("L")}`,
+        )
+        .join(""),
+    );
     root.replaceChildren(...rootMark(state.blade[dof]?.root, project([ratio[0], 0, 0])));
     const where = `Mode ${mode.label}, ${dof}`;
     const rootWords = `${state.blade[dof]?.root} at r/R ${fieldNumber(ratio[0], 2)}`;
-    picture.setAttribute("aria-label", `${where}: the blade seen ${FROM[shown]}, ${rootWords}, swinging about its undeformed place. ${nodeWords(nodes)}. Deflection and chord are not to scale.`);
+    picture.setAttribute(
+      "aria-label",
+      `${where}: the blade seen ${FROM[shown]}, ${rootWords}, swinging about its undeformed place. ${nodeWords(nodes)}. Deflection and chord are not to scale.`,
+    );
     paceNote.textContent = paceWords(mode, state, stage.pace, even);
     if (!playing) rest();
     else showFrame();
@@ -209,9 +258,14 @@ export function startMotion(store, client) {
     const per = mode.dof === "torsion" ? "rad of twist" : "m of deflection";
     const kept = moment !== null && Math.abs(moment.value) > 0;
     shapeNote.textContent = mode.dof === "torsion" ? "twist, 1 at its largest" : "displacement, 1 at its largest";
-    momentNote.textContent = kept ? `${MOMENTS[mode.dof]}, largest ${figures(Math.abs(moment.value) / most)} N·m per ${per} at r/R ${moment.at.toFixed(2)}` : `no ${MOMENTS[mode.dof]}`;
+    momentNote.textContent = kept
+      ? `${MOMENTS[mode.dof]}, largest ${figures(Math.abs(moment.value) / most)} N·m per ${per} at r/R ${moment.at.toFixed(2)}`
+      : `no ${MOMENTS[mode.dof]}`;
     const drawing = plot(unit, ratio, shape.moment, nodes);
-    drawing.setAttribute("aria-label", `Shape of mode ${mode.label} along the span, with its ${MOMENTS[mode.dof]}. ${nodeWords(nodes)}. ${momentNote.textContent}.`);
+    drawing.setAttribute(
+      "aria-label",
+      `Shape of mode ${mode.label} along the span, with its ${MOMENTS[mode.dof]}. ${nodeWords(nodes)}. ${momentNote.textContent}.`,
+    );
     plotPlace.replaceChildren(drawing);
   }
 

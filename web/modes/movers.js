@@ -47,7 +47,10 @@ const twoFigures = (value) => String(Number(Math.abs(value).toPrecision(2)));
  */
 export function moverWords({ label, margin_per_rev: margin }, pulls) {
   const idle = pulls.filter(({ slope }) => Math.abs(slope) < HARDLY).map(({ name }) => name);
-  const sentences = idle.length === 0 ? [] : [`${idle.join(" and ").replace(/ and ./g, (start) => start.toLowerCase())} hardly ${idle.length === 1 ? "moves" : "move"} ${label}.`];
+  const sentences =
+    idle.length === 0
+      ? []
+      : [`${idle.join(" and ").replace(/ and ./g, (start) => start.toLowerCase())} hardly ${idle.length === 1 ? "moves" : "move"} ${label}.`];
   for (const { name, slope } of pulls.filter(({ slope }) => Math.abs(slope) >= HARDLY)) {
     const change = changeFor(margin, slope);
     const moves = `${name} +1 % moves ${label} ${slope < 0 ? "down" : "up"} by about ${twoFigures(slope)}/rev`;
@@ -89,7 +92,8 @@ export function startMovers(store, client) {
         pulls.push(pulled);
         if (changeFor(mode.margin_per_rev, pulled.slope) !== null) break; // the usual one will do
       }
-      const natural = mode.label === "1F" && mode.nearest_harmonic === 1 && state.blade.flap.root === "hinged" ? " 1F of a hinged blade lies near 1P." : "";
+      const natural =
+        mode.label === "1F" && mode.nearest_harmonic === 1 && state.blade.flap.root === "hinged" ? " 1F of a hinged blade lies near 1P." : "";
       if (pulls.length > 0) said.push(Object.assign(document.createElement("li"), { textContent: moverWords(mode, pulls) + natural }));
     }
     list.replaceChildren(...said);

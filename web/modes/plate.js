@@ -48,7 +48,14 @@ export function chordAt(dof, x, w) {
   return ends.map((y) => [x, y * Math.cos(angle), y * Math.sin(angle)]);
 }
 
-const trace = (points, project) => points.map((point) => project(point).map((value) => value.toFixed(1)).join(" ")).join("L");
+const trace = (points, project) =>
+  points
+    .map((point) =>
+      project(point)
+        .map((value) => value.toFixed(1))
+        .join(" "),
+    )
+    .join("L");
 
 /** Paths of the plate at a share of its full deflection: its face, its leading edge, its ribs. */
 export function platePaths(dof, at, shape, share, project) {
@@ -59,18 +66,42 @@ export function platePaths(dof, at, shape, share, project) {
   return {
     face: `M${trace([...lead, ...trail.reverse()], project)}Z`,
     edge: `M${trace(lead, project)}`,
-    ribs: chords.filter((_, i) => i % every === 0).map((chord) => `M${trace(chord, project)}`).join(""),
+    ribs: chords
+      .filter((_, i) => i % every === 0)
+      .map((chord) => `M${trace(chord, project)}`)
+      .join(""),
   };
 }
 
 /** The hub: a disc round the axis of rotation, and the arm out to the root. */
 export function hubPaths(root, project) {
   const round = Array.from({ length: 24 }, (_, i) => [HUB * Math.cos((i * Math.PI) / 12), HUB * Math.sin((i * Math.PI) / 12)]);
-  const disc = (z) => `M${trace(round.map(([x, y]) => [x, y, z]), project)}Z`;
-  const side = [[-HUB, 0, 0.025], [-HUB, 0, -0.025], [HUB, 0, -0.025], [HUB, 0, 0.025]];
+  const disc = (z) =>
+    `M${trace(
+      round.map(([x, y]) => [x, y, z]),
+      project,
+    )}Z`;
+  const side = [
+    [-HUB, 0, 0.025],
+    [-HUB, 0, -0.025],
+    [HUB, 0, -0.025],
+    [HUB, 0, 0.025],
+  ];
   return {
     hub: `${disc(-0.025)}M${trace(side, project)}Z${disc(0.025)}`,
-    arm: `M${trace([[0, 0, 0], [root, 0, 0]], project)}`,
-    shaft: `M${trace([[0, 0, -0.15], [0, 0, 0.1]], project)}`,
+    arm: `M${trace(
+      [
+        [0, 0, 0],
+        [root, 0, 0],
+      ],
+      project,
+    )}`,
+    shaft: `M${trace(
+      [
+        [0, 0, -0.15],
+        [0, 0, 0.1],
+      ],
+      project,
+    )}`,
   };
 }

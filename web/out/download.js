@@ -14,7 +14,12 @@ export function download(name, content, type) {
 
 /** A file name from a blade's name and what the file holds: "tm-4760-research-blade-fan.svg". */
 export function fileName(blade, what, extension) {
-  const stem = blade.normalize("NFKD").replace(/[^A-Za-z0-9]+/g, "-").replace(/^-+|-+$/g, "").toLowerCase().slice(0, 60);
+  const stem = blade
+    .normalize("NFKD")
+    .replace(/[^A-Za-z0-9]+/g, "-")
+    .replace(/^-+|-+$/g, "")
+    .toLowerCase()
+    .slice(0, 60);
   return `${stem || "blade"}${what ? `-${what}` : ""}.${extension}`;
 }
 
@@ -28,7 +33,10 @@ export function csv(header, rows) {
 /** One row per rotor speed, one column per branch. */
 export function fanCsv(fan) {
   const header = ["rotor speed [rad/s]", ...fan.branches.map((branch) => `${branch.label} [rad/s]`)];
-  return csv(header, fan.speeds_rad_s.map((speed, i) => [speed, ...fan.branches.map((branch) => branch.frequency_rad_s[i])]));
+  return csv(
+    header,
+    fan.speeds_rad_s.map((speed, i) => [speed, ...fan.branches.map((branch) => branch.frequency_rad_s[i])]),
+  );
 }
 
 /** One row per radius; displacement, slope and moment of each mode. */
@@ -37,10 +45,7 @@ export function shapesCsv(report) {
   for (const shape of report.shapes) {
     header.push(`${shape.label} displacement`, `${shape.label} slope [1/m]`, `${shape.label} moment [N·m]`);
   }
-  const rows = report.r_m.map((r, i) => [
-    r,
-    ...report.shapes.flatMap((shape) => [shape.displacement[i], shape.slope[i], shape.moment[i]]),
-  ]);
+  const rows = report.r_m.map((r, i) => [r, ...report.shapes.flatMap((shape) => [shape.displacement[i], shape.slope[i], shape.moment[i]])]);
   return csv(header, rows);
 }
 

@@ -2,7 +2,17 @@
 
 import { at } from "../lib/dom.js";
 import { DOFS } from "../lib/dof-toggles.js";
-import { basisWords, boundsWords, crossingWords, crossingsWithin, fieldNumber, figures, marginWords, paperWords, perRevWords } from "../lib/format.js";
+import {
+  basisWords,
+  boundsWords,
+  crossingWords,
+  crossingsWithin,
+  fieldNumber,
+  figures,
+  marginWords,
+  paperWords,
+  perRevWords,
+} from "../lib/format.js";
 import { isNeutral } from "../lib/what-if.js";
 import { unitFactor } from "../lib/speed-words.js";
 import { parsedSvg } from "../lib/trusted.js";
@@ -89,7 +99,13 @@ function stations(blade, most) {
   if (count > 0) {
     const shown = Math.min(count, most);
     const rows = Array.from({ length: shown }, (_, i) => columns.map(({ values }) => number(values[i])));
-    parts.push(table("Properties along the span", columns.map(({ head }) => head), rows));
+    parts.push(
+      table(
+        "Properties along the span",
+        columns.map(({ head }) => head),
+        rows,
+      ),
+    );
     if (count > shown) parts.push(make("p", `The first ${shown} of ${count} stations.`));
   }
   if (constants.length > 0) parts.push(make("p", `Along the whole span: ${constants.join("; ")}.`));
@@ -98,11 +114,19 @@ function stations(blade, most) {
 
 /** What the what-if sliders change, in words. */
 export function whatIfWords({ factors, from, to, offsets, springs, length: unit }, units) {
-  const times = (table, name) => Object.entries(table).filter(([, factor]) => factor !== 1).map(([key, factor]) => `${name(key)} × ${fieldNumber(factor, 4)}`);
+  const times = (table, name) =>
+    Object.entries(table)
+      .filter(([, factor]) => factor !== 1)
+      .map(([key, factor]) => `${name(key)} × ${fieldNumber(factor, 4)}`);
   const length = unit ?? unitOf("length", units);
   const scaledWords = times(factors, (key) => SCALED[key] ?? key.replace("_", " "));
-  if (scaledWords.length > 0 && (from !== null || to !== null)) scaledWords.push(`from ${from === null ? "root" : number(from)} to ${to === null ? "tip" : `${number(to)} ${length}`}`);
-  return [...scaledWords, ...Object.entries(offsets).map(([dof, offset]) => `${dof} offset ${number(offset)} ${length}`), ...times(springs, (dof) => `${dof} spring`)].join(", ");
+  if (scaledWords.length > 0 && (from !== null || to !== null))
+    scaledWords.push(`from ${from === null ? "root" : number(from)} to ${to === null ? "tip" : `${number(to)} ${length}`}`);
+  return [
+    ...scaledWords,
+    ...Object.entries(offsets).map(([dof, offset]) => `${dof} offset ${number(offset)} ${length}`),
+    ...times(springs, (dof) => `${dof} spring`),
+  ].join(", ");
 }
 
 function rotor({ rotor, units, ...blade }) {
@@ -136,7 +160,9 @@ function frequencies({ modes, fan }) {
       `${marginWords(mode)}${near ? `, ${near}` : ""}`,
     ];
   });
-  const parts = [table("Frequencies", ["mode", "rad/s", "Hz", "/rev", "bounds [rad/s]", `paper N=${modes.classical_functions}`, "", "nearest harmonic"], rows)];
+  const parts = [
+    table("Frequencies", ["mode", "rad/s", "Hz", "/rev", "bounds [rad/s]", `paper N=${modes.classical_functions}`, "", "nearest harmonic"], rows),
+  ];
   if (shown.length < all.length) parts.push(make("p", `The lowest ${shown.length} of ${all.length} modes.`));
   if (harmonics !== undefined && nearModes(modes.modes, harmonics).length > 0) parts.push(make("p", nearNote(harmonics)));
   return parts;
@@ -151,7 +177,12 @@ function crossings(state) {
   if (inBand.length === 0) return [make("p", `No crossing with harmonics up to ${fan.harmonics}P between ${words}.`)];
   const factor = unitFactor(state, speedUnit);
   const shown = inBand.slice(0, MOST.beside - Math.min(MOST.modes, state.modes.modes.length));
-  const rows = shown.map((crossing) => [crossingWords(crossing), fieldNumber(crossing.speed_rad_s / factor, 4), (crossing.speed_rad_s / nominal).toFixed(3), figures(crossing.frequency_rad_s)]);
+  const rows = shown.map((crossing) => [
+    crossingWords(crossing),
+    fieldNumber(crossing.speed_rad_s / factor, 4),
+    (crossing.speed_rad_s / nominal).toFixed(3),
+    figures(crossing.frequency_rad_s),
+  ]);
   const parts = [table(`Crossings, ${words}`, ["", speedUnit, "of nominal", "rad/s"], rows)];
   if (shown.length < inBand.length) parts.push(make("p", `The first ${shown.length} of ${inBand.length} crossings.`));
   return parts;
@@ -165,7 +196,16 @@ export function startReport(store, client) {
   let waiting;
 
   const looks = (state) => ({ ...looksOf("fan", state), theme: "light", width: CHART_WIDTH, height: undefined });
-  const keyOf = ({ blade, options, speedUnit, frequencyUnit, dofs, band, window, measured }) => [blade, options, speedUnit, frequencyUnit, dofs, band, window, measured];
+  const keyOf = ({ blade, options, speedUnit, frequencyUnit, dofs, band, window, measured }) => [
+    blade,
+    options,
+    speedUnit,
+    frequencyUnit,
+    dofs,
+    band,
+    window,
+    measured,
+  ];
   const isKept = (state) => kept !== null && keyOf(state).every((value, i) => value === kept.key[i]);
 
   async function drawChart() {
@@ -213,8 +253,14 @@ export function startReport(store, client) {
     const method = make("div", "", "report-method");
     const basis = modes.basis.family === "classical" ? "the paper’s assumed functions" : "piecewise assumed functions, as many as it takes";
     method.append(
-      make("p", `Method: the assumed-mode method with ${basis} (${basisWords(modes.basis)}); ${about.model}. Each frequency lies between the bounds given; “paper” is the same method with ${modes.classical_functions} of the paper’s functions and its difference from the converged frequency.`),
-      make("p", `bladefan ${about.version}, ${new Intl.DateTimeFormat("en-GB", { dateStyle: "long" }).format(new Date())}, ${location.origin}${location.pathname}`),
+      make(
+        "p",
+        `Method: the assumed-mode method with ${basis} (${basisWords(modes.basis)}); ${about.model}. Each frequency lies between the bounds given; “paper” is the same method with ${modes.classical_functions} of the paper’s functions and its difference from the converged frequency.`,
+      ),
+      make(
+        "p",
+        `bladefan ${about.version}, ${new Intl.DateTimeFormat("en-GB", { dateStyle: "long" }).format(new Date())}, ${location.origin}${location.pathname}`,
+      ),
     );
     const spanwise = make("div", "", "report-stations");
     const taken = columns.querySelectorAll("tbody tr").length;

@@ -60,7 +60,11 @@ export function startKeepingUp(store, client) {
     const faults = only((fault) => BLADE_KEYS.test(fault.path));
     const solveFaults = only((fault) => !BLADE_KEYS.test(fault.path));
     solved.blade ??= result.blade ?? null;
-    store.set({ faults, solveFaults, ...(result.status === "ok" ? { blade: solved.blade, warnings: sameOr(store.get().warnings, result.warnings), ...accept(result.value) } : {}) });
+    store.set({
+      faults,
+      solveFaults,
+      ...(result.status === "ok" ? { blade: solved.blade, warnings: sameOr(store.get().warnings, result.warnings), ...accept(result.value) } : {}),
+    });
   }
 
   async function modes(state, solved) {
@@ -82,10 +86,11 @@ export function startKeepingUp(store, client) {
       const { from, to } = result.value.plots[0].y;
       ours.axis ??= [from, to];
     }
-    if (isOf(state, store.get())) take("draw", solved, result, ({ report, ...drawing }) => ({
-      drawing: { kind, name: report.blade, ...drawing, report },
-      ...(kind === "fan" ? { fan: report } : {}),
-    }));
+    if (isOf(state, store.get()))
+      take("draw", solved, result, ({ report, ...drawing }) => ({
+        drawing: { kind, name: report.blade, ...drawing, report },
+        ...(kind === "fan" ? { fan: report } : {}),
+      }));
   }
 
   /**

@@ -22,16 +22,26 @@ export const unitOfColumn = (id, units) => unitOf(column(id).unit, units);
 const UNIT = /^\s*(mm|cm|m|in|inch|inches|ft|deg|degrees?|rad|°|″|kg|g|lbm?|lbf|slugs?|k?n|nm\^?[2²]?)(?![a-z])/i;
 
 /** Name without case, marks and unit, for comparing. */
-const plain = (text) => text.toLowerCase().replace(/\[.*?\]/g, " ").replace(/\((.*?)\)/g, (_, words) => (UNIT.test(words) ? " " : ` ${words} `)).replace(/[^a-zµμθ0-9/]+/g, " ").trim();
+const plain = (text) =>
+  text
+    .toLowerCase()
+    .replace(/\[.*?\]/g, " ")
+    .replace(/\((.*?)\)/g, (_, words) => (UNIT.test(words) ? " " : ` ${words} `))
+    .replace(/[^a-zµμθ0-9/]+/g, " ")
+    .trim();
 
 /** What stands in the brackets of a header, or null. */
-export const headerUnit = (text) => (/\[([^\]]*)\]/.exec(text)?.[1] ?? [...text.matchAll(/\(([^)]*)\)/g)].map(([, words]) => words).find((words) => UNIT.test(words)))?.trim() ?? null;
+export const headerUnit = (text) =>
+  (/\[([^\]]*)\]/.exec(text)?.[1] ?? [...text.matchAll(/\(([^)]*)\)/g)].map(([, words]) => words).find((words) => UNIT.test(words)))?.trim() ?? null;
 
 const NAMES = [
   [RADIUS, /^(r|x|radius|radii|radial (station|position|location|coordinate)|(blade|span|spanwise|radial) station|span|station radius|r m+|r in)$/],
   ["torsion_stiffness", /^gj\b|^g j$|^(?!.*inertia).*\btorsion/],
   ["flap_stiffness", /^(?!.*(inertia|offset|area|radius|hinge)|i ).*\b(flap|flapwise|flapping|flatwise|beam|beamwise|eiflap|eif|eib|out of plane)\b/],
-  ["lag_stiffness", /^(?!.*(inertia|offset|area|radius|hinge)|i ).*\b(lag|lagwise|lead|chord|chordwise|edge|edgewise|inplane|eilag|eil|eic|in plane)\b/],
+  [
+    "lag_stiffness",
+    /^(?!.*(inertia|offset|area|radius|hinge)|i ).*\b(lag|lagwise|lead|chord|chordwise|edge|edgewise|inplane|eilag|eil|eic|in plane)\b/,
+  ],
   ["mass_offset", /\b(offset|cg|c g|xcg|centre of (mass|gravity)|center of (mass|gravity))\b|^e$/],
   ["polar_inertia", /\binertia\b|^(i ?p|i ?theta|i ?θ|polar|i polar)$/],
   ["twist", /\btwist\b|^(theta|θ)$/],

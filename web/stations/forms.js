@@ -17,7 +17,8 @@ export function curveOf(doc, id) {
   return { r, values };
 }
 
-const ordered = ({ r, values }) => r.length > 0 && r.length === values.length && numeric(r) && numeric(values) && r.every((x, i) => i === 0 || r[i - 1] <= x);
+const ordered = ({ r, values }) =>
+  r.length > 0 && r.length === values.length && numeric(r) && numeric(values) && r.every((x, i) => i === 0 || r[i - 1] <= x);
 
 /** Where a property ends, in words. */
 const reach = ({ r }) => `from ${r[0]} to ${r.at(-1)}`;
@@ -42,7 +43,10 @@ function union(a, b, near) {
 function resampled({ r, values }, onto, near) {
   return onto.map((x, i) => {
     const outboard = i > 0 && onto[i - 1] === x;
-    const here = r.map((own, k) => [own, k]).filter(([own]) => Math.abs(own - x) <= near).map(([, k]) => k);
+    const here = r
+      .map((own, k) => [own, k])
+      .filter(([own]) => Math.abs(own - x) <= near)
+      .map(([, k]) => k);
     if (here.length > 0) return values[outboard ? here.at(-1) : here[0]];
     const k = r.findIndex((own) => own > x);
     return short(values[k - 1] + ((values[k] - values[k - 1]) * (x - r[k - 1])) / (r[k] - r[k - 1]));

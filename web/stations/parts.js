@@ -30,7 +30,15 @@ export function stationsParts() {
   const pages = make("select", { id: "stations-page" });
   const pagesField = make("label", { className: "field", textContent: "Rows " }, pages);
   const buttons = Object.fromEntries(
-    COMMANDS.map(({ name, text, words, keys }) => [name, make("button", { type: "button", textContent: text, dataset: { command: name }, aria: { ...(words ? { label: words } : {}), ...(keys ? { keyshortcuts: keys } : {}) } })]),
+    COMMANDS.map(({ name, text, words, keys }) => [
+      name,
+      make("button", {
+        type: "button",
+        textContent: text,
+        dataset: { command: name },
+        aria: { ...(words ? { label: words } : {}), ...(keys ? { keyshortcuts: keys } : {}) },
+      }),
+    ]),
   );
   const tools = make("div", { className: "stations-tools", aria: { role: "group", label: "Rows" } }, choiceField, ...Object.values(buttons));
   const scroll = make("div", { className: "sheet-scroll" });
@@ -40,7 +48,12 @@ export function stationsParts() {
   const count = make("p", { className: "note", id: "stations-count", aria: { role: "status" } });
   const list = make("ul", { className: "fault-list", id: "stations-faults", aria: { label: "Faults of the stations" } });
   const profiles = make("div", { className: "profiles", aria: { role: "group", label: "Properties along the span" } });
-  const keys = make("details", { className: "keys" }, make("summary", { textContent: "Keys" }), make("dl", {}, ...KEYS.flatMap(([key, words]) => [make("dt", { textContent: key }), make("dd", { textContent: words })])));
+  const keys = make(
+    "details",
+    { className: "keys" },
+    make("summary", { textContent: "Keys" }),
+    make("dl", {}, ...KEYS.flatMap(([key, words]) => [make("dt", { textContent: key }), make("dd", { textContent: words })])),
+  );
   return { choice, choiceField, pages, pagesField, buttons, tools, scroll, long, said, note, count, list, profiles, keys };
 }
 
@@ -48,7 +61,11 @@ export function stationsParts() {
 export function formSelect(id, choose) {
   const { name, optional } = column(id);
   const options = { ...FORMS, absent: optional ? "not given" : "missing" };
-  const select = make("select", { aria: { label: `${name} given` }, dataset: { form: id } }, ...Object.entries(options).map(([form, words]) => new Option(words, form)));
+  const select = make(
+    "select",
+    { aria: { label: `${name} given` }, dataset: { form: id } },
+    ...Object.entries(options).map(([form, words]) => new Option(words, form)),
+  );
   if (!optional) select.querySelector('[value="absent"]').hidden = true;
   select.addEventListener("change", () => (select.value = choose(select.value)));
   return [select];

@@ -19,7 +19,12 @@ export function profilePoints(doc, id) {
   if (form === "absent") return null;
   if (form === "number") {
     const value = doc.distribution[id];
-    return typeof value === "number" && radius > 0 ? [[0, value], [radius, value]] : null;
+    return typeof value === "number" && radius > 0
+      ? [
+          [0, value],
+          [radius, value],
+        ]
+      : null;
   }
   const { r, values } = curveOf(doc, id);
   const points = r.slice(0, MOST_POINTS).map((x, i) => [x, values[i]]);
@@ -55,10 +60,20 @@ function plot(points, radius, mark, words) {
   const svg = element("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": words, preserveAspectRatio: "none" });
   const thin = { stroke: "currentColor", "stroke-width": 1, "vector-effect": "non-scaling-stroke" };
   svg.append(element("line", { x1: PAD, x2: WIDTH - PAD, y1: y(0), y2: y(0), ...thin, "stroke-opacity": 0.4 }));
-  if (mark !== null) svg.append(element("line", { class: "station", x1: x(mark), x2: x(mark), y1: 0, y2: HEIGHT, ...thin, "stroke-dasharray": "3 2" }));
-  svg.append(element("polyline", { points: points.map(([a, b]) => `${x(a)},${y(b)}`).join(" "), fill: "none", ...thin, "stroke-width": 1.75, "stroke-linejoin": "round" }));
+  if (mark !== null)
+    svg.append(element("line", { class: "station", x1: x(mark), x2: x(mark), y1: 0, y2: HEIGHT, ...thin, "stroke-dasharray": "3 2" }));
+  svg.append(
+    element("polyline", {
+      points: points.map(([a, b]) => `${x(a)},${y(b)}`).join(" "),
+      fill: "none",
+      ...thin,
+      "stroke-width": 1.75,
+      "stroke-linejoin": "round",
+    }),
+  );
   const value = mark === null ? null : valueAt(points, mark);
-  if (value !== null) svg.append(element("path", { class: "station", d: `M${x(mark)},${y(value)}h0`, ...thin, "stroke-width": 7, "stroke-linecap": "round" }));
+  if (value !== null)
+    svg.append(element("path", { class: "station", d: `M${x(mark)},${y(value)}h0`, ...thin, "stroke-width": 7, "stroke-linecap": "round" }));
   return svg;
 }
 
@@ -74,7 +89,11 @@ export function showProfiles(host, doc, mark) {
       const title = make("figcaption", { textContent: `${name} ` }, make("span", { className: "unit", textContent: unit }));
       if (points === null) return make("figure", { dataset: { property: id } }, title, make("p", { className: "note", textContent: words }));
       const ys = points.map(([, y]) => y);
-      const range = make("p", { className: "note", aria: { hidden: "true" }, textContent: Math.min(...ys) === Math.max(...ys) ? figure(ys[0]) : `${figure(Math.min(...ys))} … ${figure(Math.max(...ys))}` });
+      const range = make("p", {
+        className: "note",
+        aria: { hidden: "true" },
+        textContent: Math.min(...ys) === Math.max(...ys) ? figure(ys[0]) : `${figure(Math.min(...ys))} … ${figure(Math.max(...ys))}`,
+      });
       const inside = typeof mark === "number" && mark >= 0 ? mark : null;
       const station = inside === null ? null : valueAt(points, inside);
       const chosen = station === null ? "" : `; at the selected r = ${figure(inside)}: ${figure(station)}`;

@@ -36,7 +36,10 @@ function listOf(doc, sheet, id) {
   return Array.isArray(list) ? list : undefined;
 }
 
-const lists = (doc, sheet) => columnsOf(sheet).map((id) => listOf(doc, sheet, id)).filter((list) => list !== undefined);
+const lists = (doc, sheet) =>
+  columnsOf(sheet)
+    .map((id) => listOf(doc, sheet, id))
+    .filter((list) => list !== undefined);
 export const rowCount = (doc, sheet) => Math.max(0, ...lists(doc, sheet).map((list) => list.length));
 
 /** What stands in a cell: a number, a text that is none, "" or undefined where it is empty. */

@@ -31,43 +31,51 @@ export function startStations(store, blade) {
   /** Changes the blade, and says why where it was not changed. */
   function change(work, more = {}) {
     let words = null;
-    blade.edit((copy) => {
-      const before = structuredClone(copy);
-      words = work(copy) ?? null;
-      if (words !== null) restore(copy, before);
-    }, null, more);
+    blade.edit(
+      (copy) => {
+        const before = structuredClone(copy);
+        words = work(copy) ?? null;
+        if (words !== null) restore(copy, before);
+      },
+      null,
+      more,
+    );
     if (words !== null) say(words);
     return words === null;
   }
 
-  const grid = new Grid(scroll, {
-    edit(row, id, value, key) {
-      const before = doc();
-      if (!typed.has(before)) typed = new Set();
-      say("");
-      blade.edit((copy) => void span.setCell(copy, sheet, row, id, value), key);
-      if (doc() !== before) typed.add(doc());
+  const grid = new Grid(
+    scroll,
+    {
+      edit(row, id, value, key) {
+        const before = doc();
+        if (!typed.has(before)) typed = new Set();
+        say("");
+        blade.edit((copy) => void span.setCell(copy, sheet, row, id, value), key);
+        if (doc() !== before) typed.add(doc());
+      },
+      takeBack() {
+        while (typed.has(doc()) && store.get().canUndo) blade.undo();
+      },
+      history: (way) => blade[way](),
+      refuse: say,
+      move() {
+        typed = new Set();
+        showNote();
+        showMark();
+      },
+      clear: () => clear(),
+      copy(cut) {
+        const { rows, ids } = block();
+        const values = rows.map((row) => ids.map((id) => value(row, id)));
+        if (cut) clear();
+        return pasting.write(values);
+      },
+      paste: (text) => pasting.put(text),
+      command,
     },
-    takeBack() {
-      while (typed.has(doc()) && store.get().canUndo) blade.undo();
-    },
-    history: (way) => blade[way](),
-    refuse: say,
-    move() {
-      typed = new Set();
-      showNote();
-      showMark();
-    },
-    clear: () => clear(),
-    copy(cut) {
-      const { rows, ids } = block();
-      const values = rows.map((row) => ids.map((id) => value(row, id)));
-      if (cut) clear();
-      return pasting.write(values);
-    },
-    paste: (text) => pasting.put(text),
-    command,
-  }, note.id);
+    note.id,
+  );
 
   const pasting = startPasting({ store, change, say, sheet: () => sheet, grid, jump });
   tools.append(pasting.button);
@@ -122,7 +130,8 @@ export function startStations(store, blade) {
     }
     if (name === "up" || name === "down") {
       const by = name === "up" ? -1 : 1;
-      if (change((copy) => void span.moveRows(copy, sheet, from, to, by)) && from + by >= 0 && to + by < rows) reveal(from + by, () => go(from + by, to + by));
+      if (change((copy) => void span.moveRows(copy, sheet, from, to, by)) && from + by >= 0 && to + by < rows)
+        reveal(from + by, () => go(from + by, to + by));
     }
   }
 
@@ -196,7 +205,14 @@ export function startStations(store, blade) {
     grid.show({
       name: sheet,
       label: sheet === COMMON ? "Stations of the blade" : `Stations of the ${column(sheet).name}`,
-      columns: idsAt().map((id) => ({ id, name: column(id).name, unit: unitOfColumn(id, units), signed: column(id).optional === true, form: id === RADIUS ? null : span.formOf(doc(), id), head: () => (id === RADIUS ? [] : formChoice(id)) })),
+      columns: idsAt().map((id) => ({
+        id,
+        name: column(id).name,
+        unit: unitOfColumn(id, units),
+        signed: column(id).optional === true,
+        form: id === RADIUS ? null : span.formOf(doc(), id),
+        head: () => (id === RADIUS ? [] : formChoice(id)),
+      })),
       rows: shown,
       end: rows,
       count: rows + first - 1,
@@ -205,15 +221,27 @@ export function startStations(store, blade) {
       cell: (row, id) => cellLook(row, id, rows),
     });
     pagesField.hidden = long.hidden = rows <= PAGE_ROWS;
-    if (rows > PAGE_ROWS) showPages(rows, shown.filter((row) => row >= 0));
+    if (rows > PAGE_ROWS)
+      showPages(
+        rows,
+        shown.filter((row) => row >= 0),
+      );
     if (at !== grid.active) showNote();
     showMark();
   }
 
   function showPages(rows, shown) {
     const [from, to] = [shown[0] + 1, shown.at(-1) + 1];
-    long.textContent = page === 0 ? `The first ${to} of ${rows} rows are shown; all are solved and copied.` : `Rows ${from} to ${to} of ${rows} are shown; all are solved and copied.`;
-    pages.replaceChildren(...Array.from({ length: Math.ceil(rows / PAGE_ROWS) }, (_, i) => new Option(`${i * PAGE_ROWS + 1}–${Math.min(rows, (i + 1) * PAGE_ROWS)}`, i, false, i === page)));
+    long.textContent =
+      page === 0
+        ? `The first ${to} of ${rows} rows are shown; all are solved and copied.`
+        : `Rows ${from} to ${to} of ${rows} are shown; all are solved and copied.`;
+    pages.replaceChildren(
+      ...Array.from(
+        { length: Math.ceil(rows / PAGE_ROWS) },
+        (_, i) => new Option(`${i * PAGE_ROWS + 1}–${Math.min(rows, (i + 1) * PAGE_ROWS)}`, i, false, i === page),
+      ),
+    );
   }
 
   function showFaults() {
@@ -234,7 +262,10 @@ export function startStations(store, blade) {
     const look = grid.view.row(row);
     const exact = value(row, id);
     const where = `${column(id).name}, ${look.words}${exact === undefined || exact === "" ? "" : `: ${exact} ${unitOfColumn(id, doc().units)}`}`;
-    const single = sheet === COMMON && id !== RADIUS && row !== WHOLE && span.formOf(doc(), id) === "number" ? "One number at all radii; another one typed here makes it a list." : "";
+    const single =
+      sheet === COMMON && id !== RADIUS && row !== WHOLE && span.formOf(doc(), id) === "number"
+        ? "One number at all radii; another one typed here makes it a list."
+        : "";
     const readOnly = grid.view.cell(row, id).readOnly || single;
     note.textContent = faults.length > 0 ? `${where}. Fault: ${faults.join("; ")}` : `${where}${readOnly ? `. ${readOnly}` : ""}`;
     note.classList.toggle("fault", faults.length > 0);

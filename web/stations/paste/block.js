@@ -91,11 +91,17 @@ function decimalOf(all, separator) {
   const commas = all.filter((cell) => COMMA.test(cell));
   const plainPoint = (cell) => POINT.test(cell);
   const grouped = all.find((cell) => GROUPED.test(cell) && !plainPoint(cell) && !COMMA.test(cell));
-  if (grouped !== undefined) refuse(`“${clip(grouped)}” looks like a number with a thousands separator. Take the separators out; nothing was pasted.`);
+  if (grouped !== undefined)
+    refuse(`“${clip(grouped)}” looks like a number with a thousands separator. Take the separators out; nothing was pasted.`);
   if (commas.length === 0) return ".";
-  if (points !== undefined) refuse(`“${clip(commas[0])}” and “${clip(points)}”: commas and points in one block. One of them may part thousands; nothing was pasted.`);
-  if (separator === ",") refuse(`“${clip(commas[0])}”: a comma inside a number where commas part the columns. Use tabs or semicolons; nothing was pasted.`);
-  if (commas.every((cell) => EITHER.test(cell))) refuse(`“${clip(commas[0])}” may be ${commas[0].replace(",", ".")} or ${commas[0].replace(",", "")}. Write it with a point or without the comma; nothing was pasted.`);
+  if (points !== undefined)
+    refuse(`“${clip(commas[0])}” and “${clip(points)}”: commas and points in one block. One of them may part thousands; nothing was pasted.`);
+  if (separator === ",")
+    refuse(`“${clip(commas[0])}”: a comma inside a number where commas part the columns. Use tabs or semicolons; nothing was pasted.`);
+  if (commas.every((cell) => EITHER.test(cell)))
+    refuse(
+      `“${clip(commas[0])}” may be ${commas[0].replace(",", ".")} or ${commas[0].replace(",", "")}. Write it with a point or without the comma; nothing was pasted.`,
+    );
   return ",";
 }
 
@@ -111,7 +117,11 @@ const isNumber = (cell) => POINT.test(minus(cell)) || COMMA.test(minus(cell));
 const isWords = (row) => !row.some(isNumber) && row.some((cell) => cell !== "");
 
 /** A row of units under the names, as reports print it: each is one or nothing. */
-const isUnits = (row) => isWords(row) && row.every((cell) => cell === "" || cell === "-" || /^[[(].*[\])]$/.test(cell) || /^(mm|cm|m|in|ft|deg|rad|°|(kg|g|lb|slug|k?n|lbf)\W.*)$/i.test(cell));
+const isUnits = (row) =>
+  isWords(row) &&
+  row.every(
+    (cell) => cell === "" || cell === "-" || /^[[(].*[\])]$/.test(cell) || /^(mm|cm|m|in|ft|deg|rad|°|(kg|g|lb|slug|k?n|lbf)\W.*)$/i.test(cell),
+  );
 
 /** Names and units of the first row, or null where it has none that is known. */
 function headerOf(rows, alone) {
@@ -139,8 +149,12 @@ function read(text) {
   if (body.length > MOST_ROWS) refuse(`${body.length} rows are too many: a blade has at most ${MOST_ROWS} stations here. Nothing was pasted.`);
   // A column of numbers such as 0,5 has no separator of columns; or has it?
   const all = body.flat().map(minus);
-  const pairs = separator === "," && header === null && rows[0].length === 2 && body.every(([a, b]) => /^[+-]?\d{1,3}$/.test(a) && /^\d+(e[+-]?\d+)?$/i.test(b));
-  if (pairs) refuse(`“${clip(body[0].join(","))}” may be one number or two. Write decimals with points, or part columns with tabs or semicolons; nothing was pasted.`);
+  const pairs =
+    separator === "," && header === null && rows[0].length === 2 && body.every(([a, b]) => /^[+-]?\d{1,3}$/.test(a) && /^\d+(e[+-]?\d+)?$/i.test(b));
+  if (pairs)
+    refuse(
+      `“${clip(body[0].join(","))}” may be one number or two. Write decimals with points, or part columns with tabs or semicolons; nothing was pasted.`,
+    );
   const spaced = separator === null && all.find((cell) => /^[+-]?\d\S*\s+[+-]?[\d.]/.test(cell) && !GROUPED.test(cell));
   if (spaced) refuse(`“${clip(spaced)}”: columns need tabs, semicolons or commas between them. Nothing was pasted.`);
   const decimal = decimalOf(all, separator);

@@ -19,9 +19,14 @@ function keptWords(ids) {
 /** The columns that a block's names stand for: {to} with null for those left out, or {words}. */
 export function mapped(header, ids) {
   const own = ids.length === 2 ? ids[1] : null;
-  const to = header.map(({ text, id }) => (ids.includes(id) ? id : own !== null && /^values?$/i.test(text.replace(/[[(].*/, "").trim()) ? own : null));
+  const to = header.map(({ text, id }) =>
+    ids.includes(id) ? id : own !== null && /^values?$/i.test(text.replace(/[[(].*/, "").trim()) ? own : null,
+  );
   const twice = to.find((id, i) => id !== null && to.indexOf(id) !== i);
-  if (twice) return { words: `Two columns are named as ${column(twice).name}: ${listWords(header.filter((_, i) => to[i] === twice).map(({ text }) => `“${text}”`))}. Nothing was pasted.` };
+  if (twice)
+    return {
+      words: `Two columns are named as ${column(twice).name}: ${listWords(header.filter((_, i) => to[i] === twice).map(({ text }) => `“${text}”`))}. Nothing was pasted.`,
+    };
   if (to.every((id) => id === null)) return { words: "None of the named columns belongs to this sheet. Nothing was pasted." };
   return { to };
 }
@@ -32,7 +37,10 @@ export function headerNotes(header, to, units) {
   const other = header.filter(({ unit }, i) => to[i] !== null && unit && !isUnit(unit, to[i], units));
   const notes = out.length === 0 ? [] : [`left out: ${listWords(out)}`];
   if (other.length > 0) {
-    const words = other.map((one) => `${column(one.id ?? to[header.indexOf(one)]).name} is headed [${one.unit}], taken as ${unitOfColumn(one.id ?? to[header.indexOf(one)], units)}`);
+    const words = other.map(
+      (one) =>
+        `${column(one.id ?? to[header.indexOf(one)]).name} is headed [${one.unit}], taken as ${unitOfColumn(one.id ?? to[header.indexOf(one)], units)}`,
+    );
     notes.push(`units are not converted: ${words.join(", ")}`);
   }
   return notes;
@@ -40,7 +48,14 @@ export function headerNotes(header, to, units) {
 
 export function startPasting({ store, change, say, sheet, grid, jump }) {
   const button = make("button", { type: "button", textContent: "Paste a table…", aria: { expanded: "false", controls: "paste-panel" } });
-  const area = make("textarea", { id: "paste-text", rows: 6, spellcheck: false, wrap: "off", autocomplete: "off", placeholder: "r\tmass\tEI flap\tEI lag\tGJ\tpolar inertia" });
+  const area = make("textarea", {
+    id: "paste-text",
+    rows: 6,
+    spellcheck: false,
+    wrap: "off",
+    autocomplete: "off",
+    placeholder: "r\tmass\tEI flap\tEI lag\tGJ\tpolar inertia",
+  });
   const words = make("p", { className: "note", id: "paste-words", aria: { role: "status" } });
   area.setAttribute("aria-describedby", words.id);
   const [use, cancel] = ["Replace the stations", "Cancel"].map((textContent) => make("button", { type: "button", textContent }));
@@ -64,17 +79,29 @@ export function startPasting({ store, change, say, sheet, grid, jump }) {
     const bottom = Math.max(top, Math.min(lowest, rowCount(store.get().doc, sheet()) - 1));
     // One value fills the selected block, as in a spreadsheet.
     const one = header === null && block.rows.length === 1 && block.rows[0].length === 1;
-    const rows = one ? Array.from({ length: bottom - Math.max(top, top < bottom ? 0 : WHOLE) + 1 }, () => Array(right - left + 1).fill(block.rows[0][0])) : block.rows;
+    const rows = one
+      ? Array.from({ length: bottom - Math.max(top, top < bottom ? 0 : WHOLE) + 1 }, () => Array(right - left + 1).fill(block.rows[0][0]))
+      : block.rows;
     const { units } = store.get().doc;
     const ids = columnsOf(sheet());
     const width = rows[0].length;
     const names = header === null ? { to: ids.slice(left, left + width) } : mapped(header, ids);
     if (names.words) return say(names.words);
     const from = top === WHOLE && rows.length > 1 ? 0 : top;
-    if (names.to.length < width) return say(`The block has ${width} columns; ${names.to.length === 1 ? "only 1 is" : `only ${names.to.length} are`} left from this cell on. Nothing was pasted.`);
-    if (header !== null && !names.to.includes(RADIUS)) return say(`${NO_RADII} Without a row of names a block goes in at the focused cell. Nothing was pasted.`);
+    if (names.to.length < width)
+      return say(
+        `The block has ${width} columns; ${names.to.length === 1 ? "only 1 is" : `only ${names.to.length} are`} left from this cell on. Nothing was pasted.`,
+      );
+    if (header !== null && !names.to.includes(RADIUS))
+      return say(`${NO_RADII} Without a row of names a block goes in at the focused cell. Nothing was pasted.`);
     // Every station from the block: that is another blade.
-    const all = names.to.includes(RADIUS) && names.to.some((id) => id !== null && id !== RADIUS && !column(id).optional) && from === 0 && rows.length >= rowCount(store.get().doc, sheet()) && sheet() === COMMON && rows.length > 1;
+    const all =
+      names.to.includes(RADIUS) &&
+      names.to.some((id) => id !== null && id !== RADIUS && !column(id).optional) &&
+      from === 0 &&
+      rows.length >= rowCount(store.get().doc, sheet()) &&
+      sheet() === COMMON &&
+      rows.length > 1;
     let kept = [];
     const work = (copy) => {
       kept = header === null ? [] : apart(copy, sheet(), from, names.to, rows);
@@ -104,7 +131,8 @@ export function startPasting({ store, change, say, sheet, grid, jump }) {
     if (block.refused) return { words: block.refused };
     const ids = [RADIUS, ...PROPERTIES.map(({ id }) => id)];
     const width = block.rows[0].length;
-    if (block.header === null && width > ids.length) return { words: `The table has ${width} columns, the sheet ${ids.length}: name them in a first row.` };
+    if (block.header === null && width > ids.length)
+      return { words: `The table has ${width} columns, the sheet ${ids.length}: name them in a first row.` };
     const names = block.header === null ? { to: ids.slice(0, width) } : mapped(block.header, ids);
     if (names.words) return names;
     if (!names.to.includes(RADIUS)) return { words: NO_RADII };
@@ -115,7 +143,10 @@ export function startPasting({ store, change, say, sheet, grid, jump }) {
   function preview(text) {
     const { block, to, words: refused } = text.trim() === "" ? {} : plan(text);
     use.disabled = block === undefined;
-    words.textContent = block === undefined ? (refused ?? "") : `${sentence(block, to, store.get().doc.units, "understood", `: ${listWords(to.filter((id) => id !== null).map((id) => column(id).name))}`)}.`;
+    words.textContent =
+      block === undefined
+        ? (refused ?? "")
+        : `${sentence(block, to, store.get().doc.units, "understood", `: ${listWords(to.filter((id) => id !== null).map((id) => column(id).name))}`)}.`;
   }
 
   function close() {
@@ -151,9 +182,12 @@ export function startPasting({ store, change, say, sheet, grid, jump }) {
   use.addEventListener("click", () => {
     const { block, to } = plan(area.value);
     let kept = [];
-    change((copy) => {
-      kept = replaceAll(copy, to, block.rows);
-    }, { whatIf: NEUTRAL });
+    change(
+      (copy) => {
+        kept = replaceAll(copy, to, block.rows);
+      },
+      { whatIf: NEUTRAL },
+    );
     say(`${sentence(block, to, store.get().doc.units, "pasted")}${keptWords(kept)}.`);
     close();
     jump({ sheet: COMMON, row: 0, id: RADIUS });

@@ -31,7 +31,14 @@ export class CellEditor {
     }
     this.#session = { row, id, key: `cell ${++sessions}`, fresh, typed: false };
     // Keypads of decimals have no minus on some telephones.
-    this.#input = make("input", { type: "text", inputMode: signed ? "text" : "decimal", autocomplete: "off", spellcheck: false, value: fresh ? "" : (value ?? ""), aria: { label: `${name}, ${sheet.view.row(row).words}`, describedby: sheet.noteId } });
+    this.#input = make("input", {
+      type: "text",
+      inputMode: signed ? "text" : "decimal",
+      autocomplete: "off",
+      spellcheck: false,
+      value: fresh ? "" : (value ?? ""),
+      aria: { label: `${name}, ${sheet.view.row(row).words}`, describedby: sheet.noteId },
+    });
     this.#input.addEventListener("input", () => this.#type());
     this.#input.addEventListener("keydown", (event) => this.#key(event));
     this.#input.addEventListener("blur", () => this.end());

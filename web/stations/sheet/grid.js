@@ -69,7 +69,10 @@ export class Grid {
   go(row, col, extend = false, focus = true) {
     const { rows, columns } = this.view;
     const clamped = Math.max(rows[0], Math.min(row, rows.at(-1)));
-    this.active = { row: rows.includes(clamped) ? clamped : rows.find((one) => one >= 0) ?? rows[0], col: Math.max(0, Math.min(col, columns.length - 1)) };
+    this.active = {
+      row: rows.includes(clamped) ? clamped : (rows.find((one) => one >= 0) ?? rows[0]),
+      col: Math.max(0, Math.min(col, columns.length - 1)),
+    };
     this.all = false;
     if (!extend) this.anchor = this.active;
     this.#showSelection();
@@ -93,7 +96,12 @@ export class Grid {
   /** The selected block: rows and columns from and to, inclusive. */
   get selection() {
     const [a, b] = [this.active, this.anchor];
-    return { top: this.all ? Math.min(0, a.row) : Math.min(a.row, b.row), bottom: Math.max(a.row, b.row), left: Math.min(a.col, b.col), right: Math.max(a.col, b.col) };
+    return {
+      top: this.all ? Math.min(0, a.row) : Math.min(a.row, b.row),
+      bottom: Math.max(a.row, b.row),
+      left: Math.min(a.col, b.col),
+      right: Math.max(a.col, b.col),
+    };
   }
 
   /** Selects all stations, shown or not. */
@@ -117,7 +125,13 @@ export class Grid {
         make("th", { scope: "col", textContent: "station", aria: { role: "columnheader", colindex: 1 } }),
         ...columns.map(({ id, name, unit, head }, i) => {
           const words = make("span", { className: "column-name", textContent: name });
-          return make("th", { scope: "col", dataset: { column: id }, aria: { role: "columnheader", colindex: i + 2 } }, words, make("span", { className: "unit", textContent: unit }), ...head());
+          return make(
+            "th",
+            { scope: "col", dataset: { column: id }, aria: { role: "columnheader", colindex: i + 2 } },
+            words,
+            make("span", { className: "unit", textContent: unit }),
+            ...head(),
+          );
         }),
       );
       this.#lines = [];

@@ -79,16 +79,24 @@ export function bindKeys(sheet) {
   // Browsers send these to where the text cursor is, which may be anywhere: the focus tells.
   const ours = () => document.activeElement?.tagName === "TD" && sheet.table.contains(document.activeElement);
   for (const kind of ["copy", "cut"]) {
-    document.addEventListener(kind, (event) => {
+    document.addEventListener(
+      kind,
+      (event) => {
+        if (!ours()) return;
+        event.preventDefault();
+        event.stopImmediatePropagation();
+        event.clipboardData.setData("text/plain", sheet.on.copy(kind === "cut"));
+      },
+      true,
+    );
+  }
+  document.addEventListener(
+    "paste",
+    (event) => {
       if (!ours()) return;
       event.preventDefault();
-      event.stopImmediatePropagation();
-      event.clipboardData.setData("text/plain", sheet.on.copy(kind === "cut"));
-    }, true);
-  }
-  document.addEventListener("paste", (event) => {
-    if (!ours()) return;
-    event.preventDefault();
-    sheet.on.paste(event.clipboardData.getData("text/plain"));
-  }, true);
+      sheet.on.paste(event.clipboardData.getData("text/plain"));
+    },
+    true,
+  );
 }
