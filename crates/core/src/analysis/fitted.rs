@@ -117,3 +117,61 @@ fn sample((from, to): (f64, f64)) -> Vec<(f64, f64)> {
     let at = |i: usize| low * pow(to / low, i as f64 / (LOOKED_AT - 1) as f64);
     (0..LOOKED_AT).map(|i| (at(i).min(to), f64::INFINITY)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::{SpeedRange, fan, modes};
+    use crate::functions::BasisFamily;
+    use crate::lagrange::tests::sprung;
+
+    /// A chart over a wide range against the modes of each of its speeds alone; a warning says how
+    /// far it may be off. Frequencies have half the error of eigenvalues, 1e-10 on either side.
+    #[test]
+    fn a_chart_is_as_good_as_the_modes_of_each_speed() {
+        let blade = sprung(0.2);
+        let range = SpeedRange { from: 0.0, to: 10.0 * blade.nominal_speed(), count: 20 };
+        let settings = Settings { speeds: Some(range), modes: 3, ..Settings::default() };
+        let chart = fan(&blade, &settings).unwrap();
+        assert!(chart.warnings.is_empty(), "{:?}", chart.warnings);
+        for (i, speed) in chart.speeds_rad_s.iter().enumerate() {
+            let single = modes(&blade, &Settings { speed: Some(*speed), ..settings.clone() }).unwrap();
+            assert!(single.warnings.is_empty(), "{:?}", single.warnings);
+            for (branch, mode) in chart.branches.iter().zip(&single.modes) {
+                let (found, known) = (branch.frequency_rad_s[i], mode.frequency_rad_s);
+                assert!((found / known - 1.0).abs() < 1e-9, "{} at {speed}: {found} {known}", branch.label);
+            }
+        }
+    }
+
+    /// The paper's functions are fitted as they are: a handful of functions against their own eigenvalues.
+    #[test]
+    fn curves_of_the_classical_functions_are_their_eigenvalues() {
+        let (blade, rules) = (sprung(0.2), GaussRules::new());
+        let settings = Settings { basis: BasisFamily::Classical, functions: 8, modes: 4, ..Settings::default() };
+        for dof in Dof::ALL {
+            let found = fitted(&blade, dof, &settings, (0.0, 1e4), 1e4, &rules).unwrap();
+            assert!(found.error < TOLERANCE, "{dof}: {:e}", found.error);
+            assert_eq!((found.basis.count(), found.at_rest.len(), found.curves.branches()), (8, 4, 4));
+            for s in [0.0, 3.0, 77.0, 1234.5, 9999.0] {
+                let known = solve(found.basis.matrices(), f64::sqrt(s), 4).unwrap();
+                for (value, mode) in found.curves.eigenvalues(s).iter().zip(&known) {
+                    assert!((value / mode.eigenvalue - 1.0).abs() < 1e-9, "{dof} at {s}: {value}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn samples_cover_the_range_on_a_logarithmic_scale() {
+        for (from, to) in [(0.0, 1e4), (1.0, 2.0)] {
+            let found = sample((from, to));
+            assert_eq!((found.len(), found[0].0), (LOOKED_AT, from.max(1e-3 * to)));
+            assert!((found[LOOKED_AT - 1].0 / to - 1.0).abs() < 1e-14 && found[LOOKED_AT - 1].0 <= to, "to its end");
+            let ratio = found[1].0 / found[0].0;
+            // Powers are rounded.
+            assert!(found.windows(2).all(|pair| (pair[1].0 / pair[0].0 / ratio - 1.0).abs() < 1e-13));
+            assert!(found.iter().all(|(_, error)| error.is_infinite()), "each to be looked at");
+        }
+    }
+}
