@@ -171,3 +171,86 @@ fn coordinates(modes: &[Mode]) -> DMatrix<f64> {
     let n = modes.first().map_or(0, |mode| mode.coordinates.nrows());
     DMatrix::from_fn(n, modes.len(), |i, j| modes[j].coordinates[i])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::converged::TOLERANCE;
+    use crate::lagrange::tests::{cantilever, clamped, free, sprung};
+
+    fn of(blade: &Blade, dof: Dof, family: BasisFamily) -> Basis {
+        let settings = Settings { basis: family, functions: 6, ..Settings::default() };
+        Basis::new(blade, dof, &settings, &Wanted::at(0.0, 3), &GaussRules::new(), &mut Work::default()).unwrap()
+    }
+
+    const FAMILIES: [BasisFamily; 2] = [BasisFamily::Classical, BasisFamily::Piecewise];
+
+    /// ω² = EI/m (z/l)⁴ of both families: the paper's functions are the modes, the others come to
+    /// within the tolerance.
+    #[test]
+    fn either_family_finds_the_uniform_cantilever() {
+        for family in FAMILIES {
+            let basis = of(&clamped(0.5), Dof::Flap, family);
+            assert!(basis.error() < TOLERANCE && basis.count() >= basis.matrices().count());
+            for (index, mode) in solve(basis.matrices(), 0.0, 3).unwrap().iter().enumerate() {
+                let known = cantilever(index, 1.5);
+                assert!((mode.eigenvalue / known - 1.0).abs() < TOLERANCE, "{family:?} {index}: {}", mode.eigenvalue);
+            }
+        }
+    }
+
+    /// ∫ J u² dr = 1 and ∫ D e² dr + K t² = ω² of mass-normalised modes: sums along the span against
+    /// matrices, rounded some hundred times.
+    #[test]
+    fn fields_of_modes_have_their_energies() {
+        for blade in [clamped(0.5), free(0.5), sprung(0.5)] {
+            for dof in Dof::ALL {
+                for family in FAMILIES {
+                    let basis = of(&blade, dof, family);
+                    let modes = solve(basis.matrices(), 0.0, 3).unwrap();
+                    let (grid, fields) = (basis.grid(), basis.fields(&modes));
+                    let energies = Energies::new(grid, &fields);
+                    let spring = if let crate::blade::RootCondition::Spring(k) = grid.condition() { k } else { 0.0 };
+                    for (i, mode) in modes.iter().enumerate() {
+                        assert!((energies.inertia[(i, i)] - 1.0).abs() < 1e-11, "{dof} {family:?} {i}");
+                        let potential = energies.elastic[(i, i)] + spring * fields.root_rotation[i].powi(2);
+                        let off = (potential - mode.eigenvalue).abs();
+                        assert!(off <= 1e-10 * mode.eigenvalue, "{dof} {family:?} {i}: {off:e}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// Ritz values of the paper's functions for another blade, between bounds from the converged ones.
+    #[test]
+    fn bounds_hold_what_is_known() {
+        let (blade, rules) = (clamped(0.5), GaussRules::new());
+        let found = converged(&blade, Dof::Flap, &Wanted::at(0.0, 4), &rules, &mut Work::default()).unwrap();
+        let modes = solve(found.matrices(), 0.0, 4).unwrap();
+        let reference = separated(&found, &modes);
+        assert!(reference.margin < 1e-4, "counted: {}", reference.margin);
+        assert_eq!(reference.eigenvalues.len(), 4);
+        let basis = Basis::Piecewise(Box::new(found));
+        let bounds = basis.bounds(&modes[..3], &reference, 0.0, &rules).unwrap();
+        for (index, interval) in bounds.intervals.iter().enumerate() {
+            // The exact number itself is a rounded fourth power.
+            let (known, rounding) = (cantilever(index, 1.5), 4e-15);
+            assert!(interval.lower <= known * (1.0 + rounding) && interval.upper >= known * (1.0 - rounding));
+            assert!(interval.upper / interval.lower < 1.0 + 1e-9, "{index}: {interval:?}");
+        }
+    }
+
+    /// What comes out to be sampled are the functions behind the matrices.
+    #[test]
+    fn functions_come_out_as_they_went_in() {
+        for family in FAMILIES {
+            let basis = of(&sprung(0.5), Dof::Lag, family);
+            let count = basis.matrices().count();
+            let rigid = basis.matrices().rigid().len();
+            let functions = basis.into_functions();
+            assert_eq!((functions.count(), rigid), (count, 0), "{family:?}: a spring leaves no motion rigid");
+        }
+        assert!(of(&free(0.5), Dof::Flap, BasisFamily::Piecewise).into_functions().has_rigid_motion());
+    }
+}

@@ -81,3 +81,62 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
     }
     Ok(chart)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dof::Dof;
+    use crate::lagrange::tests::{cantilever, clamped, free};
+    use alloc::string::String;
+
+    /// About the hub a hinged blade flaps once per revolution at every speed and is free in lag.
+    #[test]
+    fn a_central_hinge_flaps_once_per_revolution() {
+        let settings = Settings { modes: 2, dofs: alloc::vec![Dof::Lag, Dof::Flap], ..Settings::default() };
+        let chart = fan(&free(0.0), &settings).unwrap();
+        let labels: Vec<String> = chart.branches.iter().map(|branch| branch.label.to_string()).collect();
+        assert_eq!(labels, ["1F", "2F", "1L", "2L"], "flap before lag, whatever was asked for first");
+        let [flap, _, lag, _] = &chart.branches[..] else { panic!("four branches") };
+        for ((speed, in_flap), in_lag) in chart.speeds_rad_s.iter().zip(&flap.frequency_rad_s).zip(&lag.frequency_rad_s)
+        {
+            // ω = √Ω² of a curve that is a straight line.
+            assert!((in_flap - speed).abs() < 1e-12 * speed.max(1.0), "{in_flap} at {speed}");
+            assert_eq!(*in_lag, 0.0);
+        }
+        assert_eq!((flap.southwell.k0, lag.southwell.k0, lag.southwell.k1), (0.0, 0.0, 0.0));
+        assert!((flap.southwell.k1 - 1.0).abs() < 1e-12, "{}", flap.southwell.k1);
+        let lies_on: Vec<_> = chart.coincident.iter().map(|on| (on.label.to_string(), on.harmonic)).collect();
+        assert_eq!(lies_on, [("1F".to_string(), 1)]);
+        let margin = &chart.nominal.margins[0];
+        assert_eq!((margin.label.to_string().as_str(), margin.nearest_harmonic), ("1F", 1));
+        assert!(margin.margin_per_rev.abs() < 1e-12, "{}", margin.margin_per_rev);
+    }
+
+    /// At rest ω² = EI/m (z/l)⁴; on a crossing ω = nΩ, and the crossing lies on its branch.
+    #[test]
+    fn a_chart_starts_at_the_cantilever_and_crosses_its_rays() {
+        let chart =
+            fan(&clamped(0.5), &Settings { modes: 3, dofs: alloc::vec![Dof::Flap], ..Settings::default() }).unwrap();
+        assert_eq!((chart.speeds_rad_s.len(), chart.speeds_rad_s[0], chart.speeds_rad_s[100]), (101, 0.0, 18.0));
+        for (index, branch) in chart.branches.iter().enumerate() {
+            let known = cantilever(index, 1.5).sqrt();
+            assert!((branch.frequency_rad_s[0] / known - 1.0).abs() < 1e-10, "{}", branch.label);
+            assert!(branch.frequency_rad_s.is_sorted(), "{}: pull stiffens", branch.label);
+        }
+        assert!(!chart.crossings.is_empty());
+        for crossing in &chart.crossings {
+            let (speed, frequency) = (crossing.speed_rad_s, crossing.frequency_rad_s);
+            assert!((frequency / (f64::from(crossing.harmonic) * speed) - 1.0).abs() < 1e-9, "on its ray");
+            let branch = chart.branches.iter().find(|branch| branch.label == crossing.label).unwrap();
+            let after = chart.speeds_rad_s.partition_point(|s| *s < speed);
+            let (below, above) = (branch.frequency_rad_s[after - 1], branch.frequency_rad_s[after]);
+            assert!(below <= frequency && frequency <= above, "{} at {speed}", crossing.label);
+        }
+    }
+
+    #[test]
+    fn unsound_settings_are_refused() {
+        let faults = fan(&clamped(0.5), &Settings { modes: 0, ..Settings::default() }).unwrap_err();
+        assert_eq!(faults[0].path, "modes");
+    }
+}

@@ -160,17 +160,57 @@ fn poor(converged: &Converged, mut checked: Vec<(f64, f64)>, count: usize) -> Re
     Ok((worst, poor))
 }
 
-#[cfg(all(test, feature = "library"))]
+#[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{formats, library};
+    use crate::analysis::{SpeedRange, fan, modes};
+    use crate::functions::BasisFamily;
+    use crate::lagrange::tests::sprung;
+
+    /// A chart over a wide range against the modes of each of its speeds alone; a warning says how
+    /// far it may be off. Frequencies have half the error of eigenvalues, 1e-10 on either side.
+    #[test]
+    fn a_chart_is_as_good_as_the_modes_of_each_speed() {
+        let blade = sprung(0.2);
+        let range = SpeedRange { from: 0.0, to: 10.0 * blade.nominal_speed(), count: 20 };
+        let settings = Settings { speeds: Some(range), modes: 3, ..Settings::default() };
+        let chart = fan(&blade, &settings).unwrap();
+        assert!(chart.warnings.is_empty(), "{:?}", chart.warnings);
+        for (i, speed) in chart.speeds_rad_s.iter().enumerate() {
+            let single = modes(&blade, &Settings { speed: Some(*speed), ..settings.clone() }).unwrap();
+            assert!(single.warnings.is_empty(), "{:?}", single.warnings);
+            for (branch, mode) in chart.branches.iter().zip(&single.modes) {
+                let (found, known) = (branch.frequency_rad_s[i], mode.frequency_rad_s);
+                assert!((found / known - 1.0).abs() < 1e-9, "{} at {speed}: {found} {known}", branch.label);
+            }
+        }
+    }
+
+    /// The paper's functions are fitted as they are: a handful of functions against their own eigenvalues.
+    #[test]
+    fn curves_of_the_classical_functions_are_their_eigenvalues() {
+        let (blade, rules) = (sprung(0.2), GaussRules::new());
+        let settings = Settings { basis: BasisFamily::Classical, functions: 8, modes: 4, ..Settings::default() };
+        for dof in Dof::ALL {
+            let found = fitted(&blade, dof, &settings, (0.0, 1e4), 1e4, &rules).unwrap();
+            assert!(found.error < TOLERANCE, "{dof}: {:e}", found.error);
+            assert_eq!((found.basis.count(), found.at_rest.len(), found.curves.branches()), (8, 4, 4));
+            for s in [0.0, 3.0, 77.0, 1234.5, 9999.0] {
+                let known = solve(found.basis.matrices(), f64::sqrt(s), 4).unwrap();
+                for (value, mode) in found.curves.eigenvalues(s).iter().zip(&known) {
+                    assert!((value / mode.eigenvalue - 1.0).abs() < 1e-9, "{dof} at {s}: {value}");
+                }
+            }
+        }
+    }
 
     /// From a beam to a string: a hundred times nominal speed. The chart is as good as each speed alone,
     /// and said to be (1e-9: the tolerance of λ, of the curves, and room).
+    #[cfg(feature = "library")]
     #[test]
     fn a_range_of_many_decades_is_as_good_as_each_speed() {
-        let text = library::find("tm4760").unwrap().toml;
-        let blade = formats::read(text, formats::Format::Toml).unwrap().blade;
+        let text = crate::library::find("tm4760").unwrap().toml;
+        let blade = crate::formats::read(text, crate::formats::Format::Toml).unwrap().blade;
         let rules = GaussRules::new();
         let settings = Settings::default();
         let to = 100.0 * blade.nominal_speed();

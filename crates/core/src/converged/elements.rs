@@ -393,3 +393,6 @@ impl State<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

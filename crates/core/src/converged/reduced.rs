@@ -171,3 +171,69 @@ fn add_direction(out: &mut Vec<Vec<f64>>, mut direction: Vec<f64>) {
         out.push(direction.into_iter().map(|v| v / after).collect());
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::converged::Converged;
+    use crate::converged::tests::stepped;
+    use crate::dof::Dof;
+    use crate::numerics::quadrature::GaussRules;
+
+    #[test]
+    fn directions_are_orthonormal_and_nothing_counts_twice() {
+        let mut out = Vec::new();
+        for direction in [[3.0, 4.0, 0.0], [6.0, 8.0, 0.0], [1.0, 1.0, 0.0], [1.0, 2.0, 1e-9], [0.0, 0.0, 0.0]] {
+            add_direction(&mut out, direction.to_vec());
+        }
+        // The fourth differs from the first two by less than the limit.
+        assert_eq!(out.len(), 2);
+        for (i, a) in out.iter().enumerate() {
+            for (j, b) in out.iter().enumerate() {
+                let product: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();
+                let known = if i == j { 1.0 } else { 0.0 };
+                // Three products of numbers below 1.
+                assert!((product - known).abs() < 1e-15, "{i} {j}: {product}");
+            }
+        }
+    }
+
+    /// The shares of the elements are parts of one sum of squares: with one mode and a clamped root
+    /// they are the error.
+    #[test]
+    fn the_shares_of_the_elements_make_up_the_error() {
+        let (blade, rules) = (stepped(), GaussRules::new());
+        let found = Converged::with_order(&blade, Dof::Flap, 1e4, 1, 3, &rules).unwrap();
+        let elements = &found.elements;
+        let from_tip = FromTip::new(elements.fine_grid(), &rules);
+        let mut shares = vec![0.0; elements.mesh.orders().len()];
+        let error = found.found.check(elements, 1e4, 1, &from_tip, &mut shares).unwrap();
+        let sum: f64 = shares.iter().sum();
+        assert!(error > 1e-12 && (sum / error - 1.0).abs() < 1e-12, "{error:e} {sum:e}");
+        // A share that is larger already stays.
+        let mut large = vec![1.0; shares.len()];
+        found.found.check(elements, 1e4, 1, &from_tip, &mut large).unwrap();
+        assert!(large.iter().all(|share| *share == 1.0));
+    }
+
+    /// M of mass-normalised modes is the identity, whatever sums of functions they are.
+    #[test]
+    fn fields_carry_the_energies_of_the_matrices() {
+        let (blade, rules) = (stepped(), GaussRules::new());
+        for dof in Dof::ALL {
+            let found = Converged::with_order(&blade, dof, 1e4, 3, 8, &rules).unwrap();
+            let grid = found.elements.fine_grid();
+            let n = found.found.matrices.count();
+            let fields = found.found.fields(&found.elements, &DMatrix::identity(n, n));
+            let sampled = assemble(grid, crate::lagrange::Energies::new(grid, &fields), found.elements.root_rotates());
+            for (a, b) in [
+                (sampled.mass(), found.matrices().mass()),
+                (sampled.stiffness(), found.matrices().stiffness()),
+                (sampled.centrifugal(), found.matrices().centrifugal()),
+            ] {
+                // The same polynomials on other points.
+                assert!((a - b).amax() < 1e-11 * b.amax(), "{dof}: {:e}", (a - b).amax() / b.amax());
+            }
+        }
+    }
+}

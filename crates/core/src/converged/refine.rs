@@ -23,3 +23,46 @@ pub(super) fn raise(layout: &mut Layout, shares: &[f64]) -> bool {
     }
     raised
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::vec;
+    use alloc::vec::Vec;
+
+    fn layout(orders: Vec<usize>) -> Layout {
+        Layout { radii: (0..=orders.len()).map(|i| i as f64).collect(), orders, resolved: true }
+    }
+
+    #[test]
+    fn only_what_is_to_blame_is_raised() {
+        let mut found = layout(vec![5, 6, 7, 8]);
+        // A fair share of four is a fortieth of the tolerance, 2.5e-12.
+        assert!(raise(&mut found, &[0.0, 2.4e-12, 2.6e-12, f64::INFINITY]));
+        // A factor of e⁴ to an order, and never more than eight at a time.
+        assert_eq!(found.orders, [5, 6, 8, 16]);
+        assert!(!raise(&mut found, &[0.0, 1e-12, 2.4e-12, 0.0]), "nobody is to blame");
+        assert_eq!(found.orders, [5, 6, 8, 16]);
+    }
+
+    #[test]
+    fn a_larger_share_raises_by_more() {
+        let mut found = layout(vec![3; 4]);
+        assert!(raise(&mut found, &[3e-12, 1e-9, 1e-6, 1e-2]));
+        // ln of the share over 2.5e-12 by 4, rounded up: 0.05, 1.5, 3.2, 5.5.
+        assert_eq!(found.orders, [4, 5, 7, 9]);
+    }
+
+    #[test]
+    fn orders_and_unknowns_have_their_limits() {
+        let mut found = layout(vec![MOST_ORDER, MOST_ORDER - 1]);
+        assert!(raise(&mut found, &[1.0, 1.0]));
+        assert_eq!(found.orders, [MOST_ORDER, MOST_ORDER]);
+        assert!(!raise(&mut found, &[1.0, 1.0]), "nothing is left to raise");
+        let mut found = layout(vec![14; 2000]);
+        let shares = vec![1.0; 2000];
+        assert!(raise(&mut found, &shares));
+        assert_eq!(found.unknowns(), MOST_UNKNOWNS);
+        assert!(!raise(&mut found, &shares), "no unknown is left");
+    }
+}

@@ -279,3 +279,101 @@ impl Displacement {
 fn symmetric(rows: &[Vec<f64>]) -> DMatrix<f64> {
     DMatrix::from_fn(rows.len(), rows.len(), |i, j| rows[i.max(j)][i.min(j)])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::converged::layout::first_layout;
+    use crate::converged::tests::{converged, stepped};
+    use crate::dof::Dof;
+    use crate::numerics::quadrature::GaussRules;
+
+    fn elements(dof: Dof) -> Elements {
+        let blade = stepped();
+        Elements::new(&blade, dof, &first_layout(&blade, dof, 1e4, 4), &GaussRules::new())
+    }
+
+    /// Orthonormal in the clamped potential energy, with the dense products as the judge. A vector that
+    /// keeps a hundredth of its length keeps two digits fewer.
+    #[test]
+    fn functions_are_orthonormal_in_the_potential_energy() {
+        for dof in Dof::ALL {
+            let elements = elements(dof);
+            let factor = elements.factor(1e4).unwrap();
+            let mut subspace = Subspace::new(&elements, 1e4, f64::INFINITY);
+            subspace.start(&factor, 1e4, 8);
+            subspace.push_loads(&factor, 5);
+            assert!(subspace.len() >= 10, "{dof}: {}", subspace.len());
+            let functions = &subspace.functions[subspace.rigid..];
+            for (i, a) in functions.iter().enumerate() {
+                let (elastic, pull) =
+                    (elements.elastic_gradient(&a.coefficients), elements.centrifugal_gradient(&a.coefficients));
+                for (j, b) in functions.iter().enumerate() {
+                    let product = dot(&elastic, &b.coefficients) + 1e4 * dot(&pull, &b.coefficients);
+                    let known = if i == j { 1.0 } else { 0.0 };
+                    assert!((product - known).abs() < 1e-11, "{dof}: {i} {j}: {product:e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn work_grows_and_ends() {
+        let elements = elements(Dof::Flap);
+        let factor = elements.factor(1e4).unwrap();
+        let mut subspace = Subspace::new(&elements, 1e4, 1e6);
+        let mut before = subspace.work();
+        assert_eq!((before, subspace.is_exhausted()), (0.0, false));
+        subspace.start(&factor, 1e4, 4);
+        assert!(subspace.work() > before);
+        before = subspace.work();
+        subspace.ritz(1e4, 2).unwrap();
+        assert!(subspace.work() > before);
+        let mut rounds = 0;
+        while !subspace.is_exhausted() {
+            subspace.ritz(1e4, 2).unwrap();
+            rounds += 1;
+            assert!(rounds < 10_000, "work has an end");
+        }
+        // With nothing to spend the first vectors are all there are.
+        let mut poor = Subspace::new(&elements, 1e4, 0.0);
+        poor.start(&factor, 1e4, 50);
+        assert!(poor.len() <= 2, "{}", poor.len());
+    }
+
+    /// Ritz values lie above the eigenvalues and fall as the space grows (Courant); what was found to
+    /// 1e-10 is the reference, in lag without the shift.
+    #[test]
+    fn ritz_values_fall_to_the_eigenvalues() {
+        let blade = stepped();
+        for dof in Dof::ALL {
+            let elements = elements(dof);
+            let factor = elements.factor(1e4).unwrap();
+            let mut subspace = Subspace::new(&elements, 1e4, f64::INFINITY);
+            let shift = elements.grid().system().shift(1e4);
+            let found = converged(&blade, dof, 1e4, 2);
+            let exact: Vec<f64> = crate::modes::solve(found.matrices(), 1e4, 2)
+                .unwrap()
+                .iter()
+                .map(|mode| mode.eigenvalue + shift)
+                .collect();
+            let mut last = vec![f64::INFINITY; 2];
+            for members in [3, 5, 9] {
+                subspace.start(&factor, 1e4, members);
+                let values = subspace.ritz(1e4, 2).unwrap().values;
+                for ((value, last), exact) in values.iter().zip(&last).zip(&exact) {
+                    assert!(*value <= last * (1.0 + 1e-12) && *value > exact * (1.0 - 1e-9), "{dof}: {value} {exact}");
+                }
+                last = values;
+            }
+            // Nine vectors of inverse iteration hold two modes to the square of a thousandth.
+            assert!((last[0] / exact[0] - 1.0).abs() < 1e-6, "{dof}: {last:?} {exact:?}");
+        }
+    }
+
+    #[test]
+    fn rows_of_a_lower_triangle_are_mirrored() {
+        let found = symmetric(&[vec![1.0], vec![2.0, 3.0]]);
+        assert_eq!(found, DMatrix::from_row_slice(2, 2, &[1.0, 2.0, 2.0, 3.0]));
+    }
+}

@@ -117,3 +117,36 @@ fn the_error_falls_exponentially_with_the_order() {
         .collect();
     assert!(errors[1] < 1e-2 * errors[0] && errors[2] < 1e-2 * errors[1], "{errors:?}");
 }
+
+/// Light soft stretches between heavy stiff blocks. What lives in the middle stretch alone does not show
+/// at the tip nor in loads on the whole blade, and is counted.
+#[test]
+fn modes_between_heavy_blocks_are_all_found() {
+    let text = r#"
+        schema = "bladefan-blade/1"
+        name = "blocks"
+        rotor = { radius = 1, nominal_speed = 1 }
+        flap = { root = "hingeless", offset = 0.05 }
+        lag = { root = "hinged", offset = 0.05 }
+        torsion = { root = "rigid", offset = 0.05 }
+        [distribution]
+        r = [0.05, 0.3, 0.3, 0.35, 0.35, 0.6, 0.6, 0.65, 0.65, 0.9, 0.9, 1]
+        mass = [0.01, 0.01, 1e4, 1e4, 0.01, 0.01, 1e4, 1e4, 0.01, 0.01, 1e4, 1e4]
+        flap_stiffness = [1, 1, 1e6, 1e6, 1, 1, 1e6, 1e6, 1, 1, 1e6, 1e6]
+        lag_stiffness = [1, 1, 1e6, 1e6, 1, 1, 1e6, 1e6, 1, 1, 1e6, 1e6]
+        torsion_stiffness = [1, 1, 1e6, 1e6, 1, 1, 1e6, 1e6, 1, 1, 1e6, 1e6]
+        polar_inertia = [1e-6, 1e-6, 10, 10, 1e-6, 1e-6, 10, 10, 1e-6, 1e-6, 10, 10]
+    "#;
+    let blade = crate::formats::read(text, crate::formats::Format::Toml).unwrap().blade;
+    for dof in Dof::ALL {
+        // The blocks have a motion or two each in bending, the soft stretches come after those.
+        for count in [6, 9, 12] {
+            let found = converged(&blade, dof, 0.0, count);
+            assert!(found.counted().is_some(), "{dof}, {count} modes, error {:e}", found.error());
+            let values = crate::modes::eigenvalues(found.matrices(), 0.0, count).unwrap();
+            let last = values[count - 1];
+            let below = values.iter().filter(|value| **value < 0.9999 * last).count();
+            assert_eq!(found.count_below(0.9999 * last, 0.0), Some(below), "{dof}, {count} modes");
+        }
+    }
+}

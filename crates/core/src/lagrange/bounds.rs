@@ -200,3 +200,86 @@ fn uncertainty(grid: &Grid, panel: &Panel) -> Vec<f64> {
     let slope = 2.0 * (last - first).abs() / (panel.to - panel.from);
     grid.radius()[points].iter().map(|r| 2.0 * f64::EPSILON * r * slope).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dof::Dof;
+    use crate::functions::{Deformation, Mesh, PiecewiseFunctions};
+    use crate::lagrange::assemble;
+    use crate::lagrange::tests::{cantilever, clamped};
+    use crate::modes::solve;
+    use crate::numerics::quadrature::GaussRules;
+
+    /// Bounds of three modes of the uniform cantilever from `order` polynomials over the whole span.
+    fn of_polynomials(order: usize, margin: f64) -> Option<Bounds> {
+        let (blade, rules) = (clamped(0.5), GaussRules::new());
+        let mesh = Mesh::new(vec![0.0, 1.5], vec![order]);
+        let identity = DMatrix::identity(order, order);
+        let functions = PiecewiseFunctions::new(mesh, Deformation::Bending, false, identity);
+        let grid = Grid::for_functions(&blade, Dof::Flap, &functions, &rules, 8, &[]);
+        let fields = Fields::sample(&grid, &functions);
+        let modes = solve(&assemble(&grid, Energies::new(&grid, &fields), false), 0.0, 3).unwrap();
+        let q = DMatrix::from_fn(order, 3, |i, j| modes[j].coordinates[i]);
+        let ritz: Vec<f64> = modes.iter().map(|mode| mode.eigenvalue).collect();
+        let reference = Reference { eigenvalues: (0..4).map(|mode| cantilever(mode, 1.5)).collect(), margin };
+        bounds(&grid, &FromTip::new(&grid, &rules), &fields.combined(&q), &ritz, &reference, 0.0, 1.0)
+    }
+
+    /// z = 1.8751…, 4.6941…, 7.8548… (Roark). Five polynomials or more, with ever smaller gaps.
+    #[test]
+    fn the_eigenvalues_of_a_cantilever_lie_within() {
+        let mut widest = f64::INFINITY;
+        for order in [5, 6, 8, 12] {
+            let found = of_polynomials(order, 1e-6).unwrap();
+            let mut width = 0.0_f64;
+            for (mode, interval) in found.intervals.iter().enumerate() {
+                let exact = cantilever(mode, 1.5);
+                // The exact value itself is rounded, by its fourth power.
+                let rounding = 4e-15 * exact;
+                assert!(interval.lower <= exact + rounding, "order {order}, mode {mode}: {interval:?} {exact}");
+                assert!(interval.upper >= exact - rounding, "order {order}, mode {mode}: {interval:?} {exact}");
+                assert!(interval.lower > 0.5 * exact, "order {order}, mode {mode}: a bound of its own");
+                width = width.max(interval.upper / interval.lower - 1.0);
+            }
+            assert!(width < widest, "order {order}: {width:e} after {widest:e}");
+            widest = width;
+            let separation = found.separation.unwrap();
+            assert!(separation > cantilever(2, 1.5) && separation < cantilever(3, 1.5));
+        }
+        assert!(widest < 1e-8, "twelve polynomials: {widest:e}");
+    }
+
+    #[test]
+    fn without_a_margin_there_are_no_bounds() {
+        assert_eq!(of_polynomials(6, 1.0), None);
+        assert_eq!(of_polynomials(6, f64::INFINITY), None);
+        // A separation must stand below λ₄ by more than the margin: 0.2 of the gap is 0.148 of λ₄, so
+        // the third mode has no bound of its own; below λ₃ it is 0.175 of it, so the second has.
+        let found = of_polynomials(6, 0.16).unwrap();
+        assert!(found.separation.unwrap() < cantilever(2, 1.5));
+        assert_eq!(found.intervals[2].lower, found.intervals[1].lower);
+    }
+
+    /// Without complementary energy the bounds are the values, however far they lie apart.
+    #[test]
+    fn exact_modes_are_their_own_lower_bounds() {
+        let values = [1e-15, 3.0, 4.0];
+        let found = lower_bounds(&values, &DMatrix::zeros(3, 3), 0, 9.0);
+        for (bound, value) in found.iter().zip(values) {
+            // ρ s/(1 + s) of a rounded s.
+            assert!((bound / value - 1.0).abs() < 4e-15, "{bound} {value}");
+        }
+    }
+
+    /// One mode: with E the complementary energy, s = x (1 − x)/((1 − x)² + λE), the bound is ρ s/(1 + s).
+    #[test]
+    fn one_mode_has_the_bound_of_a_quotient() {
+        let (value, energy, separation) = (2.0, 0.01, 5.0);
+        let x: f64 = value / separation;
+        let s = x * (1.0 - x) / ((1.0 - x).powi(2) + value * energy);
+        let found = lower_bounds(&[value], &DMatrix::from_element(1, 1, energy), 0, separation);
+        // A few roundings.
+        assert!((found[0] - separation * s / (1.0 + s)).abs() < 4e-15, "{found:?}");
+    }
+}

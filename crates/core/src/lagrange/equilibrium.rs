@@ -141,3 +141,94 @@ pub fn tabulate(
     }
     ShapeTables { dof, radii: radii.to_vec(), value, slope, inertial, centrifugal }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lagrange::classical_functions;
+    use crate::lagrange::tests::{MASS, STIFFNESS, cantilever, clamped, free, tapered};
+
+    const RADII: [f64; 6] = [0.2, 0.5, 0.8, 1.25, 1.9, 2.0];
+
+    /// At rest the inertia of a mode is in equilibrium with EI w″. What is integrated twice is
+    /// interpolated to rounding, which grows to some hundred times 1e-16 of the root's moment.
+    #[test]
+    fn the_moment_of_a_cantilever_mode_is_its_curvature_times_stiffness() {
+        let blade = clamped(0.5);
+        let functions = classical_functions(&blade, Dof::Flap, 3);
+        let table = tabulate(&blade, Dof::Flap, functions.as_ref(), &RADII, &GaussRules::new());
+        let mut samples = [Sample::default(); 3];
+        for mode in 0..3 {
+            functions.sample(0.0, &mut samples);
+            let largest = STIFFNESS[0] * samples[mode].curvature.abs();
+            for (row, r) in RADII.iter().enumerate().skip(1) {
+                functions.sample(r - 0.5, &mut samples);
+                let moment = cantilever(mode, 1.5) * table.inertial[(row, mode)];
+                let known = STIFFNESS[0] * samples[mode].curvature;
+                assert!((moment - known).abs() < 1e-12 * largest, "mode {mode} at {r}: {moment} {known}");
+                assert_eq!(table.value[(row, mode)], samples[mode].value);
+                assert_eq!(table.slope[(row, mode)], samples[mode].slope);
+            }
+            assert_eq!(table.inertial[(RADII.len() - 1, mode)], 0.0, "a free tip");
+            assert_eq!((table.value[(0, mode)], table.inertial[(0, mode)]), (0.0, 0.0), "nothing inboard of the root");
+        }
+    }
+
+    /// No moment reaches a free hinge.
+    #[test]
+    fn the_moment_vanishes_at_a_free_hinge() {
+        let blade = free(0.5);
+        for dof in Dof::ALL {
+            let functions = classical_functions(&blade, dof, 4);
+            let table = tabulate(&blade, dof, functions.as_ref(), &RADII, &GaussRules::new());
+            for mode in 1..4 {
+                let largest = table.inertial.column(mode).amax();
+                assert!(table.inertial[(1, mode)].abs() < 1e-13 * largest, "{dof} {mode}: rounding of its largest");
+            }
+        }
+    }
+
+    /// A rigid flap motion about the hub has ω = Ω whatever the mass: pull and inertia balance at
+    /// every radius. In lag it has ω = 0, and in both the pull is the same.
+    #[test]
+    fn a_rigid_flap_motion_about_the_hub_turns_once_per_revolution() {
+        let blade = free(0.0);
+        for (dof, square) in [(Dof::Flap, 1.0), (Dof::Lag, 0.0)] {
+            let functions = classical_functions(&blade, dof, 1);
+            let table = tabulate(&blade, dof, functions.as_ref(), &RADII, &GaussRules::new());
+            let left = &table.inertial * square - &table.centrifugal;
+            // Both are integrals of a cubic over a panel or a few.
+            assert!(left.amax() < 1e-14 * table.inertial.amax(), "{dof}: {:e}", left.amax());
+        }
+    }
+
+    /// ∫ m ds dξ twice over of a uniform blade: the shear m (l² − x²)/2 of w = x.
+    #[test]
+    fn loads_are_integrated_from_the_tip() {
+        let (blade, rules) = (free(0.5), GaussRules::new());
+        let functions = classical_functions(&blade, Dof::Flap, 4);
+        let grid = Grid::for_functions(&blade, Dof::Flap, functions.as_ref(), &rules, 2, &[0.9]);
+        let from_tip = FromTip::new(&grid, &rules);
+        let (mut load, mut scratch) = (vec![0.0; grid.len()], vec![0.0; grid.len()]);
+        from_tip.inertial_load(&grid, &grid.rigid_displacement(), &mut load, &mut scratch);
+        for (shear, x) in load.iter().zip(grid.x()) {
+            assert!((shear - 0.5 * MASS * (2.25 - x * x)).abs() < 1e-14, "a few roundings of a number of size 2");
+        }
+        let total = from_tip.integrate(&grid, &load, &mut scratch);
+        // m l³/3, the moment of inertia about the root.
+        assert!((total - MASS * 1.5_f64.powi(3) / 3.0).abs() < 1e-14, "{total}");
+        assert!((scratch[0] - total).abs() < 0.1 && scratch[grid.len() - 1] < 0.01, "from each point to the tip");
+    }
+
+    /// Torsion's load is its inertia times the twist, point by point.
+    #[test]
+    fn the_load_of_torsion_is_not_integrated() {
+        let (blade, rules) = (tapered(), GaussRules::new());
+        let functions = classical_functions(&blade, Dof::Torsion, 1);
+        let grid = Grid::for_functions(&blade, Dof::Torsion, functions.as_ref(), &rules, 0, &[]);
+        let mut load = vec![0.0; grid.len()];
+        let mut scratch = load.clone();
+        FromTip::new(&grid, &rules).inertial_load(&grid, &grid.rigid_displacement(), &mut load, &mut scratch);
+        assert_eq!(load, grid.inertia());
+    }
+}

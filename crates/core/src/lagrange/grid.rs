@@ -196,3 +196,91 @@ impl Grid {
         self.weight.iter().zip(property).map(|(weight, value)| weight * value)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blade::Section;
+    use crate::lagrange::classical_functions;
+    use crate::lagrange::tests::tapered;
+
+    fn whole(dof: Dof) -> Grid {
+        let panels = [(0.5, 1.0), (1.0, 2.0)].into_iter().map(|(from, to)| (Place::whole(from, to), 4));
+        Grid::for_panels(&tapered(), dof, panels, &GaussRules::new())
+    }
+
+    /// The blade has 2 kg and 2 kg·m about the hub; both are sums of eight terms of size 1, so of a
+    /// few roundings.
+    #[test]
+    fn points_integrate_the_mass_exactly() {
+        let grid = whole(Dof::Flap);
+        let mass: f64 = grid.weighted(grid.inertia()).sum();
+        let moment: f64 = grid.weighted(grid.inertia()).zip(grid.radius()).map(|(m, r)| m * r).sum();
+        assert!((mass - 2.0).abs() < 2e-15, "{mass}");
+        assert!((moment - 2.0).abs() < 2e-15, "{moment}");
+    }
+
+    /// ∫ m ρ dρ from r to the tip of the two linear parts, by hand.
+    fn tension(r: f64) -> f64 {
+        if r > 1.0 {
+            0.75 * (4.0 - r * r) - (8.0 - r.powi(3)) / 6.0
+        } else {
+            13.0 / 12.0 + 2.0 * (1.0 - r * r) - (1.0 - r.powi(3)) * 2.0 / 3.0
+        }
+    }
+
+    /// Of numbers of size up to 100 and of a tension that is a difference of numbers of size 3.
+    #[test]
+    fn weights_at_the_points_are_those_of_the_table() {
+        let blade = tapered();
+        for dof in Dof::ALL {
+            let grid = whole(dof);
+            for (k, &r) in grid.radius().iter().enumerate() {
+                let section = Section {
+                    r,
+                    mass: blade.mass().at(r),
+                    stiffness: Dof::ALL.map(|dof| blade.stiffness(dof).at(r)),
+                    polar_inertia: blade.polar_inertia().at(r),
+                    mass_offset: blade.mass_offset().at(r),
+                    tension: tension(r),
+                };
+                for (energy, quantity, found) in [
+                    (Energy::Inertia, Quantity::Displacement, grid.inertia()[k]),
+                    (Energy::Elastic, Quantity::Strain, grid.elastic()[k]),
+                    (Energy::Centrifugal, Quantity::Rotation, grid.centrifugal()[k]),
+                ] {
+                    let known = uncoupled::system(dof).weight(energy, Field { dof, quantity })(&section);
+                    assert!((found - known).abs() < 1e-15 * (1.0 + 10.0 * known), "{dof} at {r}: {found} {known}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn panels_end_at_stations_and_at_asked_radii() {
+        let (blade, rules) = (tapered(), GaussRules::new());
+        for dof in Dof::ALL {
+            let functions = classical_functions(&blade, dof, 9);
+            let grid = Grid::for_functions(&blade, dof, functions.as_ref(), &rules, 2, &[0.7, 1.3, 5.0, 0.1]);
+            let panels = grid.panels();
+            let ends: Vec<f64> = panels.iter().map(|panel| panel.to).collect();
+            assert_eq!((panels[0].from, *ends.last().unwrap()), (0.5, 2.0), "from root to tip");
+            assert!(panels.windows(2).all(|pair| pair[0].to == pair[1].from), "{dof}: a gap");
+            for asked in [0.7, 1.0, 1.3] {
+                assert!(ends.contains(&asked), "{dof}: no panel ends at {asked}");
+            }
+            for panel in panels {
+                assert!(grid.radius()[panel.points.clone()].iter().all(|r| *r > panel.from && *r < panel.to));
+            }
+            // Fifteen weights or more to a panel of less than 1 m.
+            assert!((grid.weight().iter().sum::<f64>() - 1.5).abs() < 1e-14, "{dof}: the span");
+        }
+    }
+
+    #[test]
+    fn a_rigid_rotation_displaces_by_its_lever() {
+        assert!(whole(Dof::Torsion).rigid_displacement().iter().all(|u| *u == 1.0));
+        let grid = whole(Dof::Lag);
+        assert!(grid.rigid_displacement().iter().zip(grid.radius()).all(|(u, r)| *u == r - 0.5));
+    }
+}

@@ -21,3 +21,6 @@ pub use residual::{ResidualMoments, Residuals, residual_moments};
 pub(crate) use segments::{segments, taper_cuts};
 pub use terms::{Energy, Field, Quantity, System, Term};
 pub use uncoupled::{SYSTEMS, system};
+
+#[cfg(test)]
+pub(crate) mod tests;

@@ -159,3 +159,89 @@ impl Residuals {
         (energy / eigenvalue).abs()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blade::Blade;
+    use crate::dof::Dof;
+    use crate::lagrange::tests::{cantilever, clamped, free, sprung};
+    use crate::lagrange::{Energies, assemble, classical_functions};
+    use crate::modes::solve;
+    use crate::numerics::quadrature::GaussRules;
+
+    /// The grid, integration and fields of the uniform blade's own functions, with points enough to
+    /// integrate their loads twice.
+    fn classical(blade: &Blade, dof: Dof, count: usize) -> (Grid, FromTip, Fields) {
+        let rules = GaussRules::new();
+        let functions = classical_functions(blade, dof, count);
+        let grid = Grid::for_functions(blade, dof, functions.as_ref(), &rules, 8, &[]);
+        let fields = Fields::sample(&grid, functions.as_ref());
+        let from_tip = FromTip::new(&grid, &rules);
+        (grid, from_tip, fields)
+    }
+
+    /// The sums of products against the fields of each mode. At rest the functions are the modes, and
+    /// what is left of sums of size 1 over some hundred points is rounding; at speed both see the
+    /// same errors.
+    #[test]
+    fn products_say_the_same_as_the_fields() {
+        for blade in [clamped(0.2), free(0.2), sprung(0.2)] {
+            for dof in Dof::ALL {
+                let (grid, from_tip, fields) = classical(&blade, dof, 5);
+                let rigid_motion = blade.root(dof).condition == RootCondition::Free;
+                let matrices = assemble(&grid, Energies::new(&grid, &fields), rigid_motion);
+                let products = Residuals::new(&grid, &from_tip, &fields);
+                for speed in [0.0, 4.0, 15.0] {
+                    let square = speed * speed;
+                    let modes = solve(&matrices, square, 3).unwrap();
+                    let shift = grid.system().shift(square);
+                    let values: Vec<f64> = modes.iter().map(|mode| mode.eigenvalue + shift).collect();
+                    let rigid = values.iter().take_while(|value| **value == 0.0).count();
+                    let q = DMatrix::from_fn(5, 3, |i, j| modes[j].coordinates[i]);
+                    let moments = residual_moments(&grid, &from_tip, &fields.combined(&q), &values, rigid, square);
+                    let energies = moments.energies(&grid);
+                    for (i, mode) in modes.iter().enumerate() {
+                        let found = products.error(mode.coordinates.as_slice(), mode.eigenvalue, square);
+                        let known = if i < rigid { 0.0 } else { energies[(i, i)] * values[i] };
+                        let condition = blade.root(dof).condition;
+                        assert!(
+                            (found - known).abs() < 1e-11 + 1e-9 * known,
+                            "{dof} {condition:?} at {speed}, mode {i}: {found:e} {known:e}"
+                        );
+                        assert!(
+                            speed < 15.0 || dof == Dof::Torsion || i < 1 || known > 1e-8,
+                            "{dof}: something to see"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    /// Rounding of 1e-13 of the moment or less, squared.
+    #[test]
+    fn an_exact_mode_has_no_residual_moment() {
+        let (grid, from_tip, fields) = classical(&clamped(0.5), Dof::Flap, 4);
+        let values: Vec<f64> = (0..4).map(|mode| cantilever(mode, 1.5)).collect();
+        let energies = residual_moments(&grid, &from_tip, &fields, &values, 0, 0.0).energies(&grid);
+        for (mode, value) in values.iter().enumerate() {
+            let error = energies[(mode, mode)] * value;
+            assert!(error < 1e-24, "mode {mode}: {error:e}");
+        }
+    }
+
+    /// With ε of the second mode in the first the residual moment is ε EI w₂″ (1/λ₂ − 1/λ₁), whose
+    /// energy is ε² λ₂ (1/λ₂ − 1/λ₁)² at unit generalised mass. Rounding of 1e-13 in ε = 1e-3.
+    #[test]
+    fn the_energy_is_the_square_of_an_error() {
+        let (grid, from_tip, fields) = classical(&clamped(0.5), Dof::Flap, 2);
+        let (first, second) = (cantilever(0, 1.5), cantilever(1, 1.5));
+        for share in [1e-3, 2e-3, 1e-2] {
+            let wrong = fields.combined(&DMatrix::from_column_slice(2, 1, &[1.0, share]));
+            let energies = residual_moments(&grid, &from_tip, &wrong, &[first], 0, 0.0).energies(&grid);
+            let known = share * share * second * (1.0 / second - 1.0 / first).powi(2);
+            assert!((energies[(0, 0)] / known - 1.0).abs() < 1e-9, "{share}: {} {known}", energies[(0, 0)]);
+        }
+    }
+}

@@ -103,3 +103,58 @@ pub(crate) fn segments(blade: &Blade, dof: Dof, extra: &[f64]) -> Vec<Segment> {
     ends.dedup();
     ends.windows(2).map(|pair| Segment { from: pair[0], to: pair[1] }).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lagrange::tests::tapered;
+    use alloc::vec;
+
+    fn cuts(inner: f64, outer: f64, segments: usize) -> Vec<f64> {
+        let property = PiecewiseLinear::new(vec![0.0, 1.0], vec![inner, outer]).unwrap();
+        Segment { from: 0.0, to: 1.0 }.taper_cuts(&property, segments).collect()
+    }
+
+    /// Where numbers can tell the radii apart: towards a soft tip they stand too near to 1. The cuts
+    /// are rounded, and so is the stiffness there.
+    #[test]
+    fn no_part_tapers_by_more_than_asked() {
+        for (inner, outer) in [(1.0, 2.6), (1.0, 100.0), (100.0, 1.0), (3e4, 1.0), (1e-30, 1e30), (1e-3, 1e9)] {
+            let ends: Vec<f64> = [0.0].into_iter().chain(cuts(inner, outer, 1)).chain([1.0]).collect();
+            for pair in ends.windows(2) {
+                let [a, b] = [pair[0], pair[1]].map(|x| inner + (outer - inner) * x);
+                let ratio = (a / b).max(b / a);
+                assert!(ratio < TAPER * (1.0 + 1e-9), "{inner} to {outer}: {ratio} over {pair:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn parts_are_few_and_ascend_between_the_limits_of_any_stiffness() {
+        let values = [1e-30, 1e-10, 1.0, 1e10, 1e30];
+        for inner in values {
+            for outer in values {
+                for segments in [1, 100, 5000] {
+                    let cuts = cuts(inner, outer, segments);
+                    assert!(cuts.len() <= 151, "{}", cuts.len());
+                    assert!((cuts.len() + 1) * segments <= 2000.max(segments), "{} cuts of {segments}", cuts.len());
+                    assert!(cuts.is_sorted_by(|a, b| a < b) && cuts.iter().all(|x| *x > 0.0 && *x < 1.0));
+                }
+            }
+        }
+        assert!(cuts(7.0, 7.0, 1).is_empty(), "no taper, no cut");
+    }
+
+    #[test]
+    fn segments_end_at_the_stations_and_at_the_radii_asked_for() {
+        let blade = tapered();
+        for dof in Dof::ALL {
+            let found = segments(&blade, dof, &[1.5, 0.2, 1.0, 3.0]);
+            let ends: Vec<(f64, f64)> = found.iter().map(|segment| (segment.from, segment.to)).collect();
+            assert_eq!(ends, [(0.5, 1.0), (1.0, 1.5), (1.5, 2.0)], "{dof}");
+        }
+        // 40 to 10 is one cut, at 20: two thirds of the way.
+        let [cut] = taper_cuts(&blade, Dof::Flap)[..] else { panic!("one cut") };
+        assert!((cut - 5.0 / 3.0).abs() < 1e-15, "{cut}");
+    }
+}

@@ -89,3 +89,39 @@ impl System {
         if self.of(Energy::Centrifugal).any(in_plane) { speed_squared } else { 0.0 }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const W: Field = Field { dof: Dof::Flap, quantity: Quantity::Displacement };
+    const T: Field = Field { dof: Dof::Flap, quantity: Quantity::Rotation };
+    const TERMS: &[Term] = &[
+        Term::diagonal(Energy::Elastic, Dof::Flap, Quantity::Displacement, |_| 3.0),
+        Term { energy: Energy::Elastic, row: W, column: T, weight: |_| 7.0 },
+        Term::diagonal(Energy::Inertia, Dof::Flap, Quantity::Displacement, |s| s.mass),
+    ];
+    const SECTION: Section =
+        Section { r: 1.0, mass: 2.0, stiffness: [5.0; 3], polar_inertia: 1.0, mass_offset: 0.0, tension: 0.0 };
+
+    #[test]
+    fn a_weight_is_that_of_the_square_of_its_field() {
+        let system = System { dofs: &[Dof::Flap], terms: TERMS };
+        assert_eq!(system.of(Energy::Elastic).count(), 2);
+        assert_eq!(system.weight(Energy::Elastic, W)(&SECTION), 3.0);
+        assert_eq!(system.weight(Energy::Inertia, W)(&SECTION), 2.0);
+        // The product of two fields is the square of neither.
+        assert_eq!(system.weight(Energy::Elastic, T)(&SECTION), 0.0);
+    }
+
+    /// A centrifugal term shifts where both of its fields are displacements, and only there.
+    #[test]
+    fn only_a_centrifugal_term_on_displacements_shifts() {
+        const ROTATIONS: &[Term] = &[Term::diagonal(Energy::Centrifugal, Dof::Flap, Quantity::Rotation, |s| s.mass)];
+        const MIXED: &[Term] = &[Term { energy: Energy::Centrifugal, row: W, column: T, weight: |s| s.mass }];
+        const IN_PLANE: &[Term] =
+            &[Term::diagonal(Energy::Centrifugal, Dof::Flap, Quantity::Displacement, |s| -s.mass)];
+        let shift = |terms| System { dofs: &[Dof::Flap], terms }.shift(4.0);
+        assert_eq!([TERMS, ROTATIONS, MIXED, IN_PLANE].map(shift), [0.0, 0.0, 0.0, 4.0]);
+    }
+}

@@ -73,3 +73,65 @@ fn shape(tables: &[ShapeTables], mode: &Mode, speed_squared: f64, norm: Option<&
     });
     Shape { components: components.collect() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two radii; one function of the first degree of freedom, two of the second.
+    fn tables() -> [ShapeTables; 2] {
+        let table = |dof, value: &[f64]| {
+            let columns = value.len() / 2;
+            let value = DMatrix::from_column_slice(2, columns, value);
+            ShapeTables {
+                dof,
+                radii: alloc::vec![0.5, 1.0],
+                slope: &value * 2.0,
+                inertial: &value * 8.0,
+                centrifugal: &value * 4.0,
+                value,
+            }
+        };
+        [table(Dof::Flap, &[0.5, 1.0]), table(Dof::Torsion, &[1.0, 2.0, 0.0, 4.0])]
+    }
+
+    fn mode(eigenvalue: f64, coordinates: &[f64]) -> Mode {
+        let coordinates = DVector::from_column_slice(coordinates);
+        Mode { eigenvalue, frequency: sqrt(eigenvalue), coordinates, southwell: 0.0, residual: 0.0 }
+    }
+
+    /// q = (−2, 1, 0.5): flap is (−1, −2), torsion (1, 4). All numbers are sums of powers of two.
+    #[test]
+    fn a_shape_is_scaled_to_one_and_turned_up_at_the_tip() {
+        let found = shapes(&tables(), &[mode(3.0, &[-2.0, 1.0, 0.5])], 5.0, None);
+        let [flap, torsion] = &found[0].components[..] else { panic!("two components") };
+        assert_eq!((flap.dof, torsion.dof), (Dof::Flap, Dof::Torsion));
+        // The largest of both is 4, and the tip of the first points down.
+        assert_eq!(flap.displacement, [0.25, 0.5]);
+        assert_eq!(torsion.displacement, [-0.25, -1.0]);
+        assert_eq!(flap.slope, [0.5, 1.0]);
+        assert_eq!(torsion.slope, [-0.5, -2.0]);
+        // λ · 8 − Ω² · 4 = 4 times the displacement.
+        assert_eq!(flap.moment, [1.0, 2.0]);
+        assert_eq!(torsion.moment, [-1.0, -4.0]);
+    }
+
+    #[test]
+    fn a_norm_takes_the_place_of_the_largest_displacement() {
+        let norm = DMatrix::from_diagonal(&DVector::from_column_slice(&[4.0, 0.0, 0.0]));
+        // √(4 · 2²) = 4.
+        let found = shapes(&tables(), &[mode(3.0, &[2.0, 1.0, 0.5])], 0.0, Some(&norm));
+        assert_eq!(found[0].components[0].displacement, [0.25, 0.5]);
+        assert_eq!(found[0].components[1].displacement, [0.25, 1.0]);
+        // λ · 8 at rest.
+        assert_eq!(found[0].components[0].moment, [6.0, 12.0]);
+    }
+
+    #[test]
+    fn each_mode_is_held_against_all_others() {
+        let modes = [mode(1.0, &[1.0, 0.0]), mode(2.0, &[0.0, 1.0]), mode(3.0, &[0.25, -0.5])];
+        let mass = DMatrix::from_diagonal(&DVector::from_column_slice(&[1.0, 4.0]));
+        assert_eq!(orthogonality(&mass, &modes), [0.25, 2.0, 2.0]);
+        assert_eq!(orthogonality(&mass, &modes[..1]), [0.0], "alone");
+    }
+}

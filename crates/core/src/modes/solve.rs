@@ -109,3 +109,91 @@ pub fn solve(matrices: &SystemMatrices, speed_squared: f64, count: usize) -> Res
         })
         .collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blade::Blade;
+    use crate::lagrange::tests::{cantilever, clamped, free};
+    use crate::lagrange::{Energies, Fields, Grid, assemble, classical_functions};
+    use crate::numerics::quadrature::GaussRules;
+    use alloc::string::ToString;
+
+    fn matrices(blade: &Blade, dof: Dof) -> SystemMatrices {
+        let functions = classical_functions(blade, dof, 5);
+        let grid = Grid::for_functions(blade, dof, functions.as_ref(), &GaussRules::new(), 0, &[]);
+        let fields = Fields::sample(&grid, functions.as_ref());
+        assemble(&grid, Energies::new(&grid, &fields), functions.has_rigid_motion())
+    }
+
+    #[test]
+    fn a_system_is_named_by_its_degrees_of_freedom() {
+        let message = |dofs, cause| SolveError { dofs, cause }.to_string();
+        let coupled = message(&Dof::ALL, EigenError::NotConverged);
+        assert_eq!(coupled, "the flap-lag-torsion eigenvalues did not converge");
+        let single = message(&[Dof::Lag], EigenError::TooFewModes(2));
+        assert_eq!(single, "the inertia along the span determines only 2 lag modes; ask for fewer modes");
+        assert!(message(&[Dof::Torsion], EigenError::NonFinite).starts_with("the torsion matrices overflow"));
+    }
+
+    /// At rest the functions are the modes: ω² = EI/m (z/l)⁴, of the fourth power of a rounded z.
+    #[test]
+    fn a_uniform_cantilever_has_its_frequencies() {
+        let matrices = matrices(&clamped(0.5), Dof::Flap);
+        let modes = solve(&matrices, 0.0, 4).unwrap();
+        for (index, mode) in modes.iter().enumerate() {
+            let known = cantilever(index, 1.5);
+            assert!((mode.eigenvalue / known - 1.0).abs() < 1e-12, "{index}: {} {known}", mode.eigenvalue);
+            assert_eq!(mode.frequency, mode.eigenvalue.sqrt());
+            assert!(mode.residual < 1e-12, "{index}: {:e}", mode.residual);
+            let square = mode.coordinates.dot(&(matrices.mass() * &mode.coordinates));
+            assert!((square - 1.0).abs() < 1e-13, "{index}: unit generalised mass, rounded");
+        }
+        assert_eq!(solve(&matrices, 0.0, 9).unwrap().len(), 5, "as many as there are functions");
+    }
+
+    /// About the hub a rigid motion has ω = Ω in flap and 0 in lag, and the slope 1 or 0 by Ω². At
+    /// higher modes the slope is the derivative of the eigenvalue.
+    #[test]
+    fn the_southwell_coefficient_is_the_slope() {
+        for (dof, square) in [(Dof::Flap, 1.0), (Dof::Lag, 0.0)] {
+            let matrices = matrices(&free(0.0), dof);
+            for s in [0.0, 9.0, 225.0] {
+                let modes = solve(&matrices, s, 3).unwrap();
+                assert!((modes[0].eigenvalue - square * s).abs() < 1e-13 * s, "{dof}: {}", modes[0].eigenvalue);
+                assert!((modes[0].southwell - square).abs() < 1e-12, "{dof}: {}", modes[0].southwell);
+                let h = 1e-3;
+                let (more, less) = (solve(&matrices, s + h, 3).unwrap(), solve(&matrices, s - h, 3));
+                let Ok(less) = less else { continue };
+                for ((mode, more), less) in modes.iter().zip(&more).zip(&less).skip(1) {
+                    let slope = (more.eigenvalue - less.eigenvalue) / (2.0 * h);
+                    // Eigenvalues of up to 1e5 lose 1e-11 each, by a step of 1e-3.
+                    assert!((mode.southwell - slope).abs() < 1e-6, "{dof}: {} {slope}", mode.southwell);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn values_alone_are_those_of_the_modes() {
+        for blade in [clamped(0.5), free(0.5)] {
+            for dof in Dof::ALL {
+                let matrices = matrices(&blade, dof);
+                let (values, modes) = (eigenvalues(&matrices, 50.0, 4).unwrap(), solve(&matrices, 50.0, 4).unwrap());
+                assert_eq!(values.len(), 4);
+                for (value, mode) in values.iter().zip(&modes) {
+                    // Two ways through the same few rotations.
+                    assert!((value - mode.eigenvalue).abs() <= 1e-12 * mode.eigenvalue, "{dof}: {value}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn an_error_says_whose_it_is() {
+        let overflowed = matrices(&clamped(0.5), Dof::Flap).reduced(&DMatrix::from_element(5, 1, 1e300));
+        let error = solve(&overflowed, 0.0, 1).unwrap_err();
+        assert_eq!(error, SolveError { dofs: &[Dof::Flap], cause: EigenError::NonFinite });
+        assert_eq!(eigenvalues(&overflowed, 0.0, 1).unwrap_err(), error);
+    }
+}
