@@ -6,13 +6,15 @@ mod crossings;
 mod measured;
 mod range;
 mod rays;
+#[cfg(test)]
+mod tests;
 mod units;
 
 use super::key::{Entry, Foot, Head, Sign, basis_text, draw_background, list_labels};
+use super::labels::Obstacles;
 use super::line::Area;
 use super::palette::Style;
 use super::panel::{self, Panel};
-use super::place::Obstacles;
 use super::scale::Scale;
 use super::sheet::{Anchor, Face, Point, Sheet};
 use super::{ChartOptions, Drawing, text};
@@ -87,7 +89,7 @@ pub fn fan(chart: &FanChart, options: &ChartOptions) -> Drawing {
         &format!("rotor speed [{}]", units.speed.name()),
         &format!("frequency [{}]", units.frequency.symbol()),
     );
-    let mut obstacles = Obstacles { frame: area, boxes: measured.boxes(&style).collect(), lines: Vec::new() };
+    let mut obstacles = Obstacles { boxes: measured.boxes(&style).collect(), ..Obstacles::within(area) };
     obstacles.lines.extend(curves.iter().flat_map(|curve| &curve.parts).map(|part| (part.clone(), 3.0)));
     obstacles.lines.extend(rays.iter().map(|ray| (ray.ends.to_vec(), 1.0)));
     obstacles.lines.extend(nominal.map(|line| (line.to_vec(), 2.0)));
