@@ -9,6 +9,7 @@ use super::scale::Scale;
 use super::sheet::{Anchor, Face, Point, Sheet};
 use super::{ChartOptions, Drawing, text};
 use crate::dof::Dof;
+use crate::figures::short_in_drawing;
 use crate::report::{ShapeReport, ShapesReport};
 use alloc::format;
 use alloc::string::ToString;
@@ -29,7 +30,7 @@ pub fn shapes(report: &ShapesReport, options: &ChartOptions) -> Drawing {
         Dof::ALL.into_iter().filter(|dof| report.shapes.iter().any(|shape| shape.dof == *dof)).collect();
     let speed = format!(
         "at {} {}",
-        text::significant(report.speed_rad_s / options.speed_unit.si(), 4),
+        short_in_drawing(report.speed_rad_s / options.speed_unit.si(), 4),
         options.speed_unit.name()
     );
     let scales: Vec<Scale> = dofs.iter().map(|&dof| y_scale(report, dof)).collect();

@@ -127,7 +127,11 @@ impl Circles<'_> {
     /// Whether a leader runs over one of the boxes; those that the circle itself touches do not count.
     fn hides(&self, own: usize, leader: [Point; 2], boxes: &[Area]) -> bool {
         let circle = square(self.centres[own], self.rim());
-        boxes.iter().any(|area| !area.overlaps(&circle) && area.crossed_by(&leader) > 0)
+        let [from, to] = leader;
+        // There may be a hundred thousand boxes.
+        let around =
+            Area { left: from.0.min(to.0), top: from.1.min(to.1), right: from.0.max(to.0), bottom: from.1.max(to.1) };
+        boxes.iter().any(|area| area.touches(&around) && !area.overlaps(&circle) && area.crossed_by(&leader) > 0)
     }
 }
 
