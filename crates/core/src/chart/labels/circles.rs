@@ -154,3 +154,49 @@ fn at_the_end((x, y): Point, (width, height): (f64, f64), away: f64, (right, dow
     let (left, top) = (start(x, width, right), start(y, height, down));
     Area { left, top, right: left + width, bottom: top + height }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIZE: (f64, f64) = (40.0, 12.0);
+
+    fn label(centres: &[Point], frame: Area) -> Vec<Option<Placed>> {
+        let circles = Circles { centres, radius: 4.0, line: 1.0, unit: 1.0 };
+        circles.label(&vec![SIZE; centres.len()], &mut Obstacles::within(frame))
+    }
+
+    const FRAME: Area = Area { left: 0.0, top: 0.0, right: 400.0, bottom: 300.0 };
+
+    #[test]
+    fn labels_turn_away_from_other_circles() {
+        let [left, right] = [(200.0, 150.0), (220.0, 150.0)];
+        let placed = label(&[left, right], FRAME);
+        let areas: Vec<Area> = placed.iter().flatten().map(|placed| placed.area).collect();
+        assert!(placed.iter().flatten().all(|placed| placed.leader.is_none()), "{placed:?}");
+        for (area, own, other) in [(areas[0], left, right), (areas[1], right, left)] {
+            let away = |centre| distance(area.nearest(centre), centre);
+            assert!(1.5 * away(own) <= away(other), "{area:?}");
+        }
+    }
+
+    #[test]
+    fn leaders_run_from_the_rim_to_the_label_and_do_not_meet() {
+        let centre = (200.0, 150.0);
+        let placed = label(&[centre, centre, centre], FRAME);
+        let leaders: Vec<[Point; 2]> = placed.iter().flatten().filter_map(|placed| placed.leader).collect();
+        assert_eq!(leaders.len(), 3, "{placed:?}");
+        for (at, (leader, placed)) in leaders.iter().zip(placed.iter().flatten()).enumerate() {
+            assert!((distance(leader[0], centre) - 4.5).abs() < 1e-9, "{leader:?}");
+            assert_eq!(leader[1], placed.area.nearest(centre));
+            assert!(leaders[..at].iter().all(|&other| !meet(*leader, other)), "{leaders:?}");
+        }
+    }
+
+    #[test]
+    fn where_there_is_no_room_there_is_no_label() {
+        let frame = Area { left: 190.0, top: 140.0, right: 210.0, bottom: 160.0 };
+        assert_eq!(label(&[(200.0, 150.0)], frame), [None]);
+        assert_eq!(label(&[], FRAME), []);
+    }
+}
