@@ -16,8 +16,8 @@ const SPEEDS: usize = 57;
 const EACH: usize = 8;
 const MODES: usize = 4;
 
-/// The error that the warnings own up to for one degree of freedom. It is an estimate of one digit, of
-/// the first order: three times it, and all of it where it is no small number.
+/// The error that the warnings own up to for one degree of freedom. It is of one digit, of the first order,
+/// and looked at in a dozen speeds: three times it, and any where it is no small number.
 fn warned(warnings: &[Warning], dof: Dof) -> f64 {
     let own = warnings.iter().filter(|warning| warning.path == dof.name());
     let errors = own.filter_map(|warning| {

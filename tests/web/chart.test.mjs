@@ -358,7 +358,7 @@ pageTest("a drawing changed in place is the drawing made anew, and nothing else 
   const soften = async (factor) => (await call(page, "change_blade", blade, [{ what: "distribution.flap_stiffness", scale: factor }])).value.blade;
   const become = (from, to) =>
     page.evaluate(async ([from, to]) => {
-      const { Drawing } = await import("./chart/patch.js");
+      const { Drawing } = await import(new URL("../chart/patch.js", document.querySelector("script[type=module]").src));
       const drawing = new Drawing(from);
       const became = drawing.become(to);
       return { became, right: drawing.root.outerHTML === new Drawing(became ? to : from).root.outerHTML };

@@ -103,7 +103,10 @@ for (const [width, height] of [[1280, 800], [390, 844]]) {
     // Three hundred equations take long to look through, and have the text's colour.
     const text = { exclude: ["math"] };
     await eachPage({ viewport: { width, height }, colorScheme: "light", bypassCSP: true }, async (page, name) => {
-      const sideways = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+      const sideways = await page.evaluate(async () => {
+        await document.fonts.ready; // equations have another width before
+        return document.documentElement.scrollWidth - innerWidth;
+      });
       assert.ok(sideways <= 0, `${name} is ${sideways} px too wide`);
       assert.deepEqual(await findings(page, width === 390 ? text : undefined), [], name);
       await page.emulateMedia({ colorScheme: "dark" });

@@ -26,6 +26,11 @@ const APART: f64 = 0.05;
 /// With more functions the eigenproblems of a fit are solved without vectors, and the error is looked at
 /// in a few places.
 const CHECKED_EVERYWHERE: usize = 120;
+/// So far from one another stand the speeds whose modes become functions, where three are not enough; in bends
+/// of the branches.
+const FUNCTIONS_PER_BEND: f64 = 0.8;
+/// So many such speeds the usual three are a match for.
+const FEW_BENDS: usize = 4;
 /// A relative error from which on curves are not worth fitting.
 const POOR: f64 = 1e2 * TOLERANCE;
 
@@ -50,45 +55,93 @@ pub(super) fn fitted(
 ) -> Result<Fitted, Faults> {
     let mut also_at: Vec<f64> = Vec::new();
     let mut work = Work::for_range();
-    let mut attempt = 0;
-    loop {
-        attempt += 1;
-        let wanted = Wanted { range: (0.0, highest), count: settings.modes, also_at: &also_at };
-        let basis = Basis::new(blade, dof, settings, &wanted, rules, &mut work)?;
-        let at_rest = solve(basis.matrices(), 0.0, settings.modes)?;
-        let fit = || Curves::fit(basis.matrices(), &at_rest, range.0, range.1, work.left()).map_err(unsolvable);
-        let Basis::Piecewise(converged) = &basis else {
-            let curves = fit()?;
-            let error = curves.error();
-            return Ok(Fitted { basis, at_rest, curves, error });
+    let mut made = Made::new(blade, dof, settings, highest, &also_at, rules, &mut work)?;
+    // Where the range spans much of what bends the branches, the functions of three speeds are no match for it.
+    let apart = sample(&made.at_rest, (0.0, highest), FUNCTIONS_PER_BEND);
+    if apart.len() > FEW_BENDS && matches!(made.basis, Basis::Piecewise(_)) {
+        also_at.extend_from_slice(&apart[1..apart.len() - 1]);
+        if let Ok(better) = Made::new(blade, dof, settings, highest, &also_at, rules, &mut work) {
+            made = better;
+        }
+    }
+    for attempt in 1.. {
+        let last = attempt == MOST_ATTEMPTS || made.is_many(settings.modes) || work.left() <= 0.0;
+        let Some((checked, worst, poor)) = made.look(range, settings.modes, last, work)? else {
+            return made.fitted(None, range, 0.0, work);
         };
-        let many = basis.matrices().count() + ADDED * settings.modes > MOST_FUNCTIONS;
-        let last = attempt == MOST_ATTEMPTS || many || work.left() <= 0.0;
-        let few = basis.matrices().count() <= CHECKED_EVERYWHERE;
+        if last || poor.is_empty() {
+            return made.fitted(checked, range, worst, work);
+        }
+        work.spend(checked.map_or(0.0, |curves| curves.work()));
+        also_at.extend(poor);
+        made = match Made::new(blade, dof, settings, highest, &also_at, rules, &mut work) {
+            Ok(better) => better,
+            // So many functions cannot be told apart from one another: those that could are the answer.
+            Err(_) => return made.fitted(None, range, worst, work),
+        };
+    }
+    made.fitted(None, range, 0.0, work)
+}
+
+/// Functions of a range of rotor speeds with their modes at rest.
+struct Made {
+    basis: Basis,
+    at_rest: Vec<Mode>,
+}
+
+impl Made {
+    fn new(
+        blade: &Blade,
+        dof: Dof,
+        settings: &Settings,
+        highest: f64,
+        also_at: &[f64],
+        rules: &GaussRules,
+        work: &mut Work,
+    ) -> Result<Self, Faults> {
+        let wanted = Wanted { range: (0.0, highest), count: settings.modes, also_at };
+        let basis = Basis::new(blade, dof, settings, &wanted, rules, work)?;
+        let at_rest = solve(basis.matrices(), 0.0, settings.modes)?;
+        Ok(Self { basis, at_rest })
+    }
+
+    /// Whether more functions would be too many.
+    fn is_many(&self, modes: usize) -> bool {
+        self.basis.matrices().count() + ADDED * modes > MOST_FUNCTIONS
+    }
+
+    /// The curves, where they are good or `last`, the largest error, and where the functions are to be better;
+    /// nothing of the classical family, which is what it is.
+    fn look(&self, range: (f64, f64), modes: usize, last: bool, work: Work) -> Result<Option<Look>, Faults> {
+        let Basis::Piecewise(converged) = &self.basis else { return Ok(None) };
+        let few = self.basis.matrices().count() <= CHECKED_EVERYWHERE;
         let Checked { curves, errors } = if let Some(residuals) = converged.residuals().filter(|_| few) {
             let error = |q: &[f64], value: f64, s: f64| residuals.error(q, value, s);
             let poor = if last { f64::INFINITY } else { POOR };
-            Curves::fit_checked(basis.matrices(), &at_rest, range, work.left(), poor, error).map_err(unsolvable)?
+            Curves::fit_checked(self.basis.matrices(), &self.at_rest, range, work.left(), poor, error)
+                .map_err(unsolvable)?
         } else {
-            let squares = sample(&at_rest, range, LOOKED_AT);
+            let squares = sample(&self.at_rest, range, FUNCTIONS_PER_BEND);
             Checked { curves: None, errors: squares.into_iter().map(|s| (s, f64::INFINITY)).collect() }
         };
-        let (worst, poor) = poor(converged, errors, settings.modes)?;
-        let known = also_at.len();
-        also_at.extend(poor);
-        let better = also_at.len() > known && !last;
-        if better {
-            work.spend(curves.map_or(0.0, |curves| curves.work()));
-            continue;
-        }
+        let (worst, poor) = poor(converged, errors, modes)?;
+        Ok(Some((curves, worst, poor)))
+    }
+
+    /// With these curves, or ones fitted now.
+    fn fitted(self, curves: Option<Curves>, range: (f64, f64), worst: f64, work: Work) -> Result<Fitted, Faults> {
+        let Self { basis, at_rest } = self;
         let curves = match curves {
             Some(curves) => curves,
-            None => fit()?,
+            None => Curves::fit(basis.matrices(), &at_rest, range.0, range.1, work.left()).map_err(unsolvable)?,
         };
         let error = maximum(maximum(basis.error(), curves.error()), worst);
-        return Ok(Fitted { basis, at_rest, curves, error });
+        Ok(Fitted { basis, at_rest, curves, error })
     }
 }
+
+/// Curves, the largest error, and where it is too large.
+type Look = (Option<Curves>, f64, Vec<f64>);
 
 /// The largest error at the Ω² that were looked at, and where the functions are to be better.
 fn poor(converged: &Converged, mut checked: Vec<(f64, f64)>, count: usize) -> Result<(f64, Vec<f64>), Faults> {

@@ -12,7 +12,7 @@
 use crate::lagrange::SystemMatrices;
 use crate::modes::{Mode, SolveError, coordinates, eigenvalues};
 use crate::numerics::chebyshev::{interpolate, node, slopes};
-use crate::numerics::scalar::{exp_m1, is_above, ln_1p, maximum};
+use crate::numerics::scalar::{ceil, exp_m1, is_above, ln_1p, maximum};
 use alloc::vec;
 use alloc::vec::Vec;
 use core::cell::{Cell, RefCell};
@@ -29,6 +29,10 @@ const FIRST_DEGREE: usize = 4;
 const LAST_DEGREE: usize = 32;
 /// Where the error is checked, as shares of the piece: between the nodes of every degree.
 const CHECKS: [f64; 2] = [0.013, 0.47];
+/// Where modes are looked at before the first node, as shares of the way to it.
+const BESIDE_REST: [f64; 3] = [0.02, 0.15, 0.5];
+/// Most parts of a sample.
+const MOST_SAMPLES: usize = 40;
 /// Most pieces; the last ones are taken as they are.
 const MOST_PIECES: usize = 64;
 /// Multiplications of an eigenproblem, by the cube of its order.
@@ -105,8 +109,7 @@ impl Curves {
     }
 
     /// The same with `error`, the relative error of a mode (its coordinates, its eigenvalue, Ω²), looked at
-    /// where the curves are solved for, the first pass over the range and every other one after: close enough
-    /// for curves to pass through, so nothing can go wrong between.
+    /// where the curves are solved for on the first pass over the range, and beside its beginning.
     ///
     /// # Errors
     /// [`SolveError`].
@@ -121,6 +124,12 @@ impl Curves {
         let rigid = !matrices.rigid().is_empty();
         let at = |mode: &Mode| error(mode.coordinates.as_slice(), mode.eigenvalue, 0.0);
         let errors = RefCell::new(vec![(0.0, at_rest.iter().map(at).fold(0.0, maximum))]);
+        let look = |s: f64, values: &[f64]| -> Result<(), SolveError> {
+            let vectors = coordinates(matrices, s, values)?;
+            let each = vectors.column_iter().zip(values).map(|(q, value)| error(q.as_slice(), *value, s));
+            errors.borrow_mut().push((s, each.fold(0.0, maximum)));
+            Ok(())
+        };
         let solved = Cell::new(0_usize);
         let row = |s: f64| {
             let is_poor = |errors: &[(f64, f64)]| errors.iter().any(|(_, error)| is_above(*error, poor));
@@ -130,16 +139,23 @@ impl Curves {
             row(at_rest, s, rigid, || {
                 let values = eigenvalues(matrices, s, at_rest.len())?;
                 solved.set(solved.get() + 1);
-                if solved.get() <= 2 * FIRST_DEGREE || solved.get().is_multiple_of(2) {
-                    let vectors = coordinates(matrices, s, &values)?;
-                    let each = vectors.column_iter().zip(&values).map(|(q, value)| error(q.as_slice(), *value, s));
-                    errors.borrow_mut().push((s, each.fold(0.0, maximum)));
+                if solved.get() <= 2 * FIRST_DEGREE {
+                    look(s, &values)?;
                 }
                 Ok(values)
             })
             .map_err(Stop::Solve)
         };
         let scale = Scale::new(at_rest, to);
+        // Rest is among the speeds that the functions come from. Beside it, before the first node, they may
+        // be worse than at any.
+        let first = scale.speed_squared(node(scale.at(from), scale.at(to), 2 * FIRST_DEGREE, 1));
+        for share in BESIDE_REST {
+            let s = from + share * (first - from);
+            if s > 0.0 {
+                look(s, &eigenvalues(matrices, s, at_rest.len())?)?;
+            }
+        }
         let curves = match Self::through(at_rest.len(), rigid, scale, (from, to), limit(matrices, work), row) {
             Ok(curves) => Some(curves),
             Err(Stop::Poor) => None,
@@ -172,15 +188,15 @@ impl Curves {
             };
             piece.rows = piece.nodes.iter().map(|&t| row(t)).collect::<Result<_, _>>()?;
             loop {
-                let coarse_error = piece.refine(from, to, row)?;
+                let (coarse_error, worst) = piece.refine(from, to, row)?;
                 let enough = coarse_error < TOLERANCE
-                    || (coarse_error < COARSE_TOLERANCE && piece.error(from, to, row)? < TOLERANCE);
+                    || (coarse_error < COARSE_TOLERANCE && piece.error(from, to, worst, row)? < TOLERANCE);
                 let middle = 0.5 * (from + to);
                 let last = curves.pieces.len() + waiting.len() >= limit.pieces || middle <= from || middle >= to;
                 if enough || (last && piece.nodes.len() > LAST_DEGREE) {
                     if !enough {
                         // The half of the degree tells where the check happens to stand well.
-                        let error = maximum(coarse_error, piece.error(from, to, row)?);
+                        let error = maximum(coarse_error, piece.error(from, to, worst, row)?);
                         curves.error = maximum(curves.error, error);
                     }
                     curves.pieces.push(piece);
@@ -265,12 +281,13 @@ impl Piece {
         self.nodes.last().copied().unwrap_or(0.0)
     }
 
-    /// Doubles the degree and returns the old interpolant's largest relative error at the new nodes.
-    fn refine<E>(&mut self, from: f64, to: f64, row: impl Fn(f64) -> Result<Vec<f64>, E>) -> Result<f64, E> {
+    /// Doubles the degree and returns the old interpolant's largest relative error at the new nodes, and at
+    /// which of all nodes that is.
+    fn refine<E>(&mut self, from: f64, to: f64, row: impl Fn(f64) -> Result<Vec<f64>, E>) -> Result<(f64, usize), E> {
         let degree = 2 * (self.nodes.len() - 1);
         let mut nodes = Vec::with_capacity(degree + 1);
         let mut rows = Vec::with_capacity(degree + 1);
-        let mut worst = 0.0_f64;
+        let (mut worst, mut at) = (0.0_f64, 0);
         for index in 0..=degree {
             let t = node(from, to, degree, index);
             nodes.push(t);
@@ -278,20 +295,24 @@ impl Piece {
                 rows.push(self.rows[index / 2].clone());
             } else {
                 let exact = row(t)?;
-                worst = maximum(worst, self.difference(t, &exact));
+                let difference = self.difference(t, &exact);
+                if is_above(difference, worst) {
+                    (worst, at) = (difference, index);
+                }
                 rows.push(exact);
             }
         }
         (self.nodes, self.rows) = (nodes, rows);
-        Ok(worst)
+        Ok((worst, at))
     }
 
-    /// The largest relative error at the check points.
-    fn error<E>(&self, from: f64, to: f64, row: impl Fn(f64) -> Result<Vec<f64>, E>) -> Result<f64, E> {
-        CHECKS.iter().try_fold(0.0_f64, |worst, share| {
-            let t = from + share * (to - from);
-            Ok(maximum(worst, self.difference(t, &row(t)?)))
-        })
+    /// The largest relative error at the check points, one of which is beside the node `worst`.
+    fn error<E>(&self, from: f64, to: f64, worst: usize, row: impl Fn(f64) -> Result<Vec<f64>, E>) -> Result<f64, E> {
+        // Where the branches of two modes nearly meet, the error stands there alone.
+        let beside = worst.min(self.nodes.len() - 2);
+        let at_worst = 0.5 * (self.nodes[beside] + self.nodes[beside + 1]);
+        let points = CHECKS.iter().map(|share| from + share * (to - from)).chain([at_worst]);
+        points.into_iter().try_fold(0.0_f64, |worst, t| Ok(maximum(worst, self.difference(t, &row(t)?))))
     }
 
     fn difference(&self, t: f64, exact: &[f64]) -> f64 {
@@ -302,13 +323,14 @@ impl Piece {
     }
 }
 
-/// So many Ω² over a range, evenly on the scale on which the branches of a blade with these modes at
-/// rest are smooth.
-pub fn sample(at_rest: &[Mode], (from, to): (f64, f64), count: usize) -> Vec<f64> {
+/// Ω² over a range, ends included, evenly on the scale on which the branches of a blade with these modes at rest
+/// are smooth; none farther than `step` from the next, where they bend once per unit.
+pub fn sample(at_rest: &[Mode], (from, to): (f64, f64), step: f64) -> Vec<f64> {
     let scale = Scale::new(at_rest, to);
     let (low, high) = (scale.at(from), scale.at(to));
-    let last = count.saturating_sub(1).max(1) as f64;
-    (0..count).map(|i| scale.speed_squared(low + (high - low) * (i as f64 / last)).min(to)).collect()
+    let parts = ceil((high - low) / step).clamp(1.0, MOST_SAMPLES as f64);
+    let at = |i: usize| scale.speed_squared(low + (high - low) * (i as f64 / parts)).min(to);
+    (0..=MOST_SAMPLES).take_while(|i| *i as f64 <= parts).map(at).collect()
 }
 
 /// Curves whose modes were looked at.
