@@ -57,6 +57,7 @@ pub mod converged;
 pub mod dof;
 pub mod fan;
 pub mod fault;
+pub mod figures;
 #[cfg(feature = "formats")]
 pub mod formats;
 pub mod functions;
@@ -70,8 +71,8 @@ pub mod report;
 pub mod units;
 
 pub use analysis::{
-    MODEL, Model, Settings, ShapeScale, SpeedRange, at_speed, compare, converge, fan, margins, modes, shapes, summary,
-    warnings,
+    MODEL, Model, PAPER_FUNCTIONS, Settings, ShapeScale, SpeedRange, at_speed, compare, converge, fan, margins, modes,
+    shapes, summary, warnings,
 };
 pub use blade::{
     Amount, Blade, BladeDefinition, Change, Changed, DistributionDefinition, Part, Property, PropertyDefinition, Root,

@@ -6,11 +6,11 @@ use crate::io::input;
 use crate::io::messages::warn;
 use crate::io::output::{self, Output};
 use crate::render::heading::speed;
-use crate::render::numbers::short;
 use crate::render::table::{Align, Cell, Table};
 use crate::render::text::wrap;
 use crate::render::{csv, json};
 use bladefan_core::analysis;
+use bladefan_core::figures::short;
 use bladefan_core::report::BladeSummary;
 
 pub(super) fn run(args: &CheckArgs) -> Result<Output, Failure> {

@@ -10,7 +10,7 @@ use crate::render::heading::{heading, speed};
 use crate::render::table::{Align, Cell, Table};
 use crate::render::text::wrap;
 use crate::render::{csv, json, picture};
-use bladefan_core::analysis::{self, Settings};
+use bladefan_core::analysis::{self, PAPER_FUNCTIONS};
 use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::dof::Dof;
 use bladefan_core::functions::BasisFamily;
@@ -42,12 +42,10 @@ pub(super) fn run(args: &ConvergeArgs) -> Result<Output, Failure> {
 
 /// The converged frequencies, then the errors of both families.
 fn table(report: &ConvergeReport, width: usize) -> String {
-    // What the paper calls converged.
-    let paper = Settings::default().functions;
     let most = report.functions.last().copied().unwrap_or(1);
     let functions = format!("classical functions, N = 1 to {most}; piecewise functions until converged");
     let mut text = heading(&report.blade, &format!("convergence at {}", speed(report.speed_rad_s)), &functions, width);
-    text += &frequencies(report, paper.min(most)).render(width);
+    text += &frequencies(report, PAPER_FUNCTIONS.min(most)).render(width);
     text += &advice(BasisFamily::Piecewise, report.series.iter().map(bounded), width);
     let mut section = |title: &str, table: &Table| {
         // Writing to a string does not fail.

@@ -7,12 +7,12 @@ use crate::io::messages::warn;
 use crate::io::output::{self, Output};
 use crate::render::columns::pick;
 use crate::render::heading::{basis, heading, speed};
-use crate::render::numbers::{decimals, significant};
 use crate::render::table::{Align, Cell, Table};
 use crate::render::{csv, json, picture};
 use bladefan_core::analysis::{self, Settings, ShapeScale};
 use bladefan_core::chart;
 use bladefan_core::dof::Dof;
+use bladefan_core::figures::{decimals, significant};
 use bladefan_core::report::ShapesReport;
 
 /// Most radii of the table.

@@ -1,8 +1,8 @@
 //! How good a frequency is, in words: its bounds, and how far other functions are from it.
 
-use super::numbers::{decimals, significant};
 use super::table::Cell;
 use super::text::wrap;
+use bladefan_core::figures::{decimals, significant};
 use bladefan_core::functions::BasisFamily;
 use bladefan_core::units;
 

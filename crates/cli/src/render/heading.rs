@@ -1,9 +1,8 @@
 //! What stands above a table: which blade at what speed, what the functions and the model are.
 
-use super::numbers::short;
 use super::text::wrap;
 use bladefan_core::analysis::MODEL;
-use bladefan_core::dof::Dof;
+use bladefan_core::figures::short;
 use bladefan_core::functions::BasisFamily;
 use bladefan_core::report::BasisReport;
 use bladefan_core::units;
@@ -25,17 +24,12 @@ pub(crate) fn speed(speed: f64) -> String {
 
 /// The assumed functions.
 pub(crate) fn basis(report: &BasisReport) -> String {
-    let counts = report.functions;
-    let known: Vec<(Dof, usize)> = Dof::ALL
-        .into_iter()
-        .zip([counts.flap, counts.lag, counts.torsion])
-        .filter_map(|(dof, count)| Some((dof, count?)))
-        .collect();
+    let known = report.functions.known();
     // The user chose one number of classical functions for all.
-    if let (BasisFamily::Classical, Some((_, count))) = (report.family, known.first()) {
+    if let (BasisFamily::Classical, Some((_, count))) = (report.family, known.clone().next()) {
         return format!("classical, {count} functions");
     }
-    let each = known.iter().map(|(dof, count)| format!("{dof} {count}"));
+    let each = known.map(|(dof, count)| format!("{dof} {count}"));
     let words: Vec<String> = core::iter::once(format!("{} functions", report.family.name())).chain(each).collect();
     words.join(", ")
 }
@@ -43,6 +37,7 @@ pub(crate) fn basis(report: &BasisReport) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use bladefan_core::dof::Dof;
     use bladefan_core::report::FunctionCounts;
 
     #[test]

@@ -5,7 +5,6 @@ pub(crate) mod columns;
 pub(crate) mod csv;
 pub(crate) mod heading;
 pub(crate) mod json;
-pub(crate) mod numbers;
 pub(crate) mod picture;
 pub(crate) mod table;
 pub(crate) mod text;

@@ -2,10 +2,10 @@
 //!
 //! No table crate we know aligns on the decimal point, and that is most of what there is to do.
 
-use super::numbers::significant;
 use super::text::{spaces, visible};
 use anstyle::{Ansi256Color, Style};
 use bladefan_core::dof::Dof;
+use bladefan_core::figures::significant;
 use unicode_width::UnicodeWidthStr;
 
 /// Between two columns.

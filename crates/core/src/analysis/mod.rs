@@ -19,7 +19,7 @@ pub use converge::converge;
 pub use fan::fan;
 pub use model::{MODEL, Model, warnings};
 pub use modes::{margins, modes};
-pub use settings::{Settings, ShapeScale, SpeedRange};
+pub use settings::{PAPER_FUNCTIONS, Settings, ShapeScale, SpeedRange};
 pub use shapes::shapes;
 pub use summary::summary;
 

@@ -38,6 +38,8 @@ impl SpeedRange {
     }
 }
 
+/// Functions per degree of freedom that the paper calls converged.
+pub const PAPER_FUNCTIONS: usize = 15;
 /// Most speeds a chart may have.
 const MOST_SPEEDS: usize = 100_000;
 /// Most frequencies of one degree of freedom in a chart: speeds times modes.
@@ -67,7 +69,7 @@ pub struct Settings {
     pub dofs: Vec<Dof>,
     /// Family of assumed functions.
     pub basis: BasisFamily,
-    /// Number of assumed functions of the classical family. 15: what the paper calls converged.
+    /// Number of assumed functions of the classical family; [`PAPER_FUNCTIONS`].
     pub functions: usize,
     /// Rays 1P … nP.
     pub harmonics: u32,
@@ -89,7 +91,7 @@ impl Default for Settings {
             modes: 5,
             dofs: Dof::ALL.to_vec(),
             basis: BasisFamily::Piecewise,
-            functions: 15,
+            functions: PAPER_FUNCTIONS,
             harmonics: 10,
             points: 101,
             normalise: ShapeScale::Max,

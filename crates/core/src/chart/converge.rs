@@ -8,7 +8,9 @@ use super::panel::{self, EndLabel, Panel};
 use super::scale::Scale;
 use super::sheet::{Anchor, Face, Point, Sheet, dash_array};
 use super::{ChartOptions, Drawing, FrequencyUnit, text};
+use crate::analysis::PAPER_FUNCTIONS;
 use crate::dof::Dof;
+use crate::figures::short_in_drawing;
 use crate::functions::BasisFamily;
 use crate::numerics::scalar::round;
 use crate::report::{ConvergeReport, ConvergeSeries};
@@ -17,8 +19,6 @@ use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
-/// What the paper calls converged.
-const PAPER_FUNCTIONS: f64 = 15.0;
 /// Smaller errors [%] are not told from rounding, nor from zero.
 const LEAST_ERROR: f64 = 1e-10;
 /// The frequency panel ends here, so that the few percent that the paper's functions leave show; what is
@@ -80,7 +80,7 @@ pub fn converge(report: &ConvergeReport, options: &ChartOptions) -> Drawing {
     let head = Head::new(&style, &name, entries.chain(families).collect(), left);
     let top = head.height(&style) + 2.0 * style.small();
     let width = right - left;
-    let speed = text::significant(report.speed_rad_s / options.speed_unit.si(), 4);
+    let speed = short_in_drawing(report.speed_rad_s / options.speed_unit.si(), 4);
     let speed = format!("at {speed} {}", options.speed_unit.name());
     let foot = Foot::new(&style, alloc::vec![speed.clone()], &remarks(report, &traces), left);
     let between = 1.5 * style.label();
@@ -254,7 +254,7 @@ fn listed(series: &ConvergeSeries, unit: FrequencyUnit, speed: f64) -> (String, 
     let label = series.label.to_string();
     let value = series.converged_rad_s.and_then(|value| unit.of(value, speed));
     let text = match value.filter(|value| value.is_finite()) {
-        Some(value) => format!("{label} {}", text::significant(value, 4)),
+        Some(value) => format!("{label} {}", short_in_drawing(value, 4)),
         None => label,
     };
     (text, series.dof)
@@ -282,10 +282,11 @@ fn draw_list(sheet: &mut Sheet, style: &Style, area: &Area, list: &[(String, Dof
 /// A line through both panels at the paper's number of functions.
 fn draw_paper_mark(sheet: &mut Sheet, style: &Style, panels: &[Panel; 2]) {
     let axis = &panels[0].x.axis;
-    if !(axis.from..=axis.to).contains(&PAPER_FUNCTIONS) {
+    let functions = PAPER_FUNCTIONS as f64;
+    if !(axis.from..=axis.to).contains(&functions) {
         return;
     }
-    let Some(x) = panels[0].x.at(PAPER_FUNCTIONS) else { return };
+    let Some(x) = panels[0].x.at(functions) else { return };
     let palette = &style.palette;
     let dash = dash_array(&[2.0, 3.0], style.unit);
     sheet.layer(&[("class", "paper"), ("stroke-dasharray", &dash)], &|pen| {
@@ -293,12 +294,12 @@ fn draw_paper_mark(sheet: &mut Sheet, style: &Style, panels: &[Panel; 2]) {
             pen.line(&[(x, panel.area.top), (x, panel.area.bottom)], palette.nominal, 1.0 * style.unit);
         }
     });
-    let name = "N = 15, as in the paper";
-    let half = 0.5 * text::width(name, style.small(), false);
+    let name = format!("N = {PAPER_FUNCTIONS}, as in the paper");
+    let half = 0.5 * text::width(&name, style.small(), false);
     let middle = x.min(style.width - 0.5 * style.margin() - half).max(panels[0].area.left + half);
     let face = Face::new(style.small(), palette.nominal, Anchor::Middle);
     let baseline = panels[0].area.top - 5.0 * style.unit;
-    sheet.layer(&[("class", "paper")], &|pen| pen.text((middle, baseline), name, &face));
+    sheet.layer(&[("class", "paper")], &|pen| pen.text((middle, baseline), &name, &face));
 }
 
 /// What the drawing cannot show.

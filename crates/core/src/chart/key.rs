@@ -240,9 +240,7 @@ impl Foot {
 /// The assumed functions in words.
 pub(super) fn basis_text(basis: &BasisReport) -> String {
     let family = basis.family.name();
-    let counts = [basis.functions.flap, basis.functions.lag, basis.functions.torsion];
-    let known: Vec<(Dof, usize)> =
-        Dof::ALL.into_iter().zip(counts).filter_map(|(dof, count)| Some((dof, count?))).collect();
+    let known: Vec<(Dof, usize)> = basis.functions.known().collect();
     match known.as_slice() {
         [] => format!("{family} functions"),
         [(_, first), rest @ ..] if rest.iter().all(|(_, count)| count == first) => {

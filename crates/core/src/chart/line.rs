@@ -1,6 +1,7 @@
 //! Polylines: as few points as the pixels need, cut at a frame.
 
 use super::sheet::Point;
+use crate::numerics::scalar::hypot;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -19,6 +20,11 @@ impl Area {
         self.left < other.right && other.left < self.right && self.top < other.bottom && other.top < self.bottom
     }
 
+    /// Whether both share a point.
+    pub(super) fn touches(&self, other: &Self) -> bool {
+        self.left <= other.right && other.left <= self.right && self.top <= other.bottom && other.top <= self.bottom
+    }
+
     /// Whether `other` lies inside.
     pub(super) fn holds(&self, other: &Self) -> bool {
         self.left <= other.left && other.right <= self.right && self.top <= other.top && other.bottom <= self.bottom
@@ -28,10 +34,39 @@ impl Area {
         (self.left..=self.right).contains(&x) && (self.top..=self.bottom).contains(&y)
     }
 
+    /// The point inside that is nearest to `point`.
+    pub(super) fn nearest(&self, (x, y): Point) -> Point {
+        (x.max(self.left).min(self.right), y.max(self.top).min(self.bottom))
+    }
+
     /// How many segments of `points` come inside.
     pub(super) fn crossed_by(&self, points: &[Point]) -> usize {
         points.windows(2).filter(|pair| clip_segment(pair[0], pair[1], self).is_some()).count()
     }
+}
+
+/// Distance between two points.
+pub(super) fn distance(a: Point, b: Point) -> f64 {
+    hypot(a.0 - b.0, a.1 - b.1)
+}
+
+/// Distance of `point` from the nearest point of a segment.
+pub(super) fn distance_to_segment([from, to]: [Point; 2], point: Point) -> f64 {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    let square = dx * dx + dy * dy;
+    let along = (point.0 - from.0) * dx + (point.1 - from.1) * dy;
+    let share = if square > 0.0 { (along / square).clamp(0.0, 1.0) } else { 0.0 };
+    distance((from.0 + share * dx, from.1 + share * dy), point)
+}
+
+/// Whether two segments meet.
+pub(super) fn meet(first: [Point; 2], second: [Point; 2]) -> bool {
+    let side = |[from, to]: [Point; 2], point: Point| {
+        (to.0 - from.0) * (point.1 - from.1) - (to.1 - from.1) * (point.0 - from.0)
+    };
+    let apart = |line, [a, b]: [Point; 2]| side(line, a) * side(line, b) > 0.0;
+    // On one line both sides are 0: those count as meeting.
+    !apart(first, second) && !apart(second, first)
 }
 
 /// Largest distance [px] between a line and its thinned form.
@@ -145,6 +180,19 @@ mod tests {
     fn lines_are_cut_at_the_frame() {
         let parts = clip(&[(-5.0, 5.0), (5.0, 5.0), (5.0, 20.0), (8.0, 20.0), (8.0, 5.0)], &AREA);
         assert_eq!(parts, [vec![(0.0, 5.0), (5.0, 5.0), (5.0, 10.0)], vec![(8.0, 10.0), (8.0, 5.0)]]);
+    }
+
+    #[test]
+    fn points_and_segments_are_as_far_apart_as_they_look() {
+        assert_eq!(AREA.nearest((13.0, 4.0)), (10.0, 4.0));
+        assert_eq!(AREA.nearest((3.0, 4.0)), (3.0, 4.0));
+        let level = [(0.0, 0.0), (10.0, 0.0)];
+        for (point, expected) in [((5.0, 2.0), 2.0), ((13.0, 4.0), 5.0), ((-3.0, 4.0), 5.0)] {
+            assert!((distance_to_segment(level, point) - expected).abs() < 1e-12, "{point:?}");
+        }
+        assert!(meet(level, [(5.0, -1.0), (5.0, 1.0)]));
+        assert!(!meet(level, [(5.0, 0.5), (5.0, 1.0)]));
+        assert!(!meet(level, [(11.0, -1.0), (11.0, 1.0)]));
     }
 
     #[test]

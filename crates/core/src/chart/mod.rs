@@ -1,7 +1,7 @@
 //! Drawings: fan chart, mode shapes and convergence as SVG. Draws, computes no physics.
 //!
 //! ```text
-//! FanChart | ShapesReport | ConvergeReport ─layout (scale, spread, place)→ Sheet of layers ─plotters→ SVG text
+//! FanChart | ShapesReport | ConvergeReport ─layout (scale, labels)→ Sheet of layers ─plotters→ SVG text
 //! ```
 //! The text is the same on every target: plotters never measures text here (on wasm it would ask
 //! the page for it), labels are placed with a width table, ticks are decimal text, and no
@@ -16,15 +16,14 @@
 mod converge;
 mod fan;
 mod key;
+mod labels;
 mod line;
 mod options;
 mod palette;
 mod panel;
-mod place;
 mod scale;
 mod shapes;
 mod sheet;
-mod spread;
 #[cfg(test)]
 mod tests;
 mod text;

@@ -1,10 +1,10 @@
 //! A frame with its axes, and labels at its right end.
 
+use super::labels::{Wish, spread};
 use super::line::Area;
 use super::palette::Style;
 use super::scale::{Scale, Tick};
 use super::sheet::{Anchor, Face, Pen, Point, Sheet};
-use super::spread::{Wish, spread};
 use super::text;
 use super::{Axis, PlotArea};
 use crate::numerics::scalar::ceil;

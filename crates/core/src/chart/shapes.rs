@@ -1,14 +1,15 @@
 //! Mode shapes: one panel per degree of freedom.
 
 use super::key::{Foot, Head, basis_text, draw_background};
+use super::labels::Obstacles;
 use super::line::{Area, thin};
 use super::palette::Style;
 use super::panel::{self, Panel};
-use super::place::Obstacles;
 use super::scale::Scale;
 use super::sheet::{Anchor, Face, Point, Sheet};
 use super::{ChartOptions, Drawing, text};
 use crate::dof::Dof;
+use crate::figures::short_in_drawing;
 use crate::report::{ShapeReport, ShapesReport};
 use alloc::format;
 use alloc::string::ToString;
@@ -29,7 +30,7 @@ pub fn shapes(report: &ShapesReport, options: &ChartOptions) -> Drawing {
         Dof::ALL.into_iter().filter(|dof| report.shapes.iter().any(|shape| shape.dof == *dof)).collect();
     let speed = format!(
         "at {} {}",
-        text::significant(report.speed_rad_s / options.speed_unit.si(), 4),
+        short_in_drawing(report.speed_rad_s / options.speed_unit.si(), 4),
         options.speed_unit.name()
     );
     let scales: Vec<Scale> = dofs.iter().map(|&dof| y_scale(report, dof)).collect();
@@ -108,7 +109,7 @@ fn draw_panel(sheet: &mut Sheet, style: &Style, report: &ShapesReport, dof: Dof,
 
     let shapes: Vec<&ShapeReport> = report.shapes.iter().filter(|shape| shape.dof == dof).collect();
     let lines: Vec<Vec<Point>> = shapes.iter().map(|shape| line(report, shape, panel)).collect();
-    let mut obstacles = Obstacles { frame: panel.area, boxes: Vec::new(), lines: Vec::new() };
+    let mut obstacles = Obstacles::within(panel.area);
     obstacles.lines.extend(lines.iter().map(|line| (thin(line), 2.0)));
     obstacles.lines.extend(zero.map(|zero| (zero.to_vec(), 1.0)));
     let tones: Vec<RGBColor> = (0..shapes.len())

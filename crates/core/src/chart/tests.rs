@@ -20,7 +20,7 @@ use alloc::vec::Vec;
 use roxmltree::{Document, Node};
 
 /// Roughly the TM 4760 blade [rad/s]: frequency at rest, and at 69.1 rad/s.
-const BRANCHES: [(Dof, f64, f64); 9] = [
+pub(super) const BRANCHES: [(Dof, f64, f64); 9] = [
     (Dof::Flap, 0.0, 72.3),
     (Dof::Flap, 72.4, 185.9),
     (Dof::Flap, 228.6, 349.8),
@@ -42,7 +42,7 @@ fn numbered<T: Copy>(list: &[(Dof, T, T)]) -> Vec<(Dof, usize, T, T)> {
     list.iter().enumerate().map(|(at, &(dof, a, b))| (dof, number(at), a, b)).collect()
 }
 
-fn chart(branches: &[(Dof, f64, f64)], speeds: usize, harmonics: u32) -> FanChart {
+pub(super) fn chart(branches: &[(Dof, f64, f64)], speeds: usize, harmonics: u32) -> FanChart {
     let nominal = 69.1;
     let speeds: Vec<f64> = (0..speeds).map(|at| 1.2 * nominal * at as f64 / (speeds - 1) as f64).collect();
     let branches: Vec<Branch> = numbered(branches)
@@ -152,7 +152,7 @@ fn converge_report(known: bool) -> ConvergeReport {
     }
 }
 
-fn measured() -> Vec<MeasuredPoint> {
+pub(super) fn measured() -> Vec<MeasuredPoint> {
     let point = |label: &str, source: &str, frequency_rad_s: f64| MeasuredPoint {
         label: label.parse().unwrap(),
         speed_rad_s: 69.1,
@@ -167,12 +167,12 @@ fn measured() -> Vec<MeasuredPoint> {
     ]
 }
 
-fn number(node: &Node, name: &str) -> f64 {
+pub(super) fn number(node: &Node, name: &str) -> f64 {
     node.attribute(name).unwrap().parse().unwrap()
 }
 
 /// The boxes of all texts, in tenths of a pixel.
-fn text_boxes(document: &Document) -> Vec<(Area, String)> {
+pub(super) fn text_boxes(document: &Document) -> Vec<(Area, String)> {
     let texts = document.descendants().filter(|node| node.has_tag_name("text"));
     texts
         .map(|node| {
@@ -201,7 +201,7 @@ fn text_boxes(document: &Document) -> Vec<(Area, String)> {
 }
 
 /// Checks what holds of every drawing.
-fn check(drawing: &Drawing, what: &str) {
+pub(super) fn check(drawing: &Drawing, what: &str) {
     let document = Document::parse(&drawing.svg).unwrap_or_else(|error| panic!("{what}: {error}"));
     for node in document.descendants() {
         for attribute in node.attributes() {
@@ -224,7 +224,7 @@ fn check(drawing: &Drawing, what: &str) {
     }
 }
 
-fn groups(drawing: &Drawing, class: &str) -> Vec<String> {
+pub(super) fn groups(drawing: &Drawing, class: &str) -> Vec<String> {
     let document = Document::parse(&drawing.svg).unwrap();
     let of_class = |node: &Node| node.attribute("class").is_some_and(|classes| classes.split(' ').any(|c| c == class));
     let labels = document.descendants().filter(of_class);

@@ -101,18 +101,6 @@ pub(super) fn escape(text: &str) -> String {
     escaped
 }
 
-/// `value` with `figures` significant figures, no trailing zeros; `n × 10^k` beyond six digits.
-pub(super) fn significant(value: f64, figures: i32) -> String {
-    let Some((_, exponent)) = scientific(value) else { return "0".to_string() };
-    let digits = (figures - 1).max(0);
-    if !(-4..6).contains(&exponent) {
-        return format!("{value:.0$e}", digits.unsigned_abs() as usize);
-    }
-    let decimals = usize::try_from(digits - exponent).unwrap_or(0);
-    let text = format!("{value:.decimals$}");
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_string() } else { text }
-}
-
 /// Mantissa (1 ≤ |m| < 10) and decimal exponent; none for 0 and what is not finite.
 pub(super) fn scientific(value: f64) -> Option<(f64, i32)> {
     if value == 0.0 || !value.is_finite() {
@@ -140,14 +128,5 @@ mod tests {
         assert!(short.ends_with('…'), "{short}");
         assert!(width(&short, 17.0, true) <= 200.0, "{short}");
         assert_eq!(shorten("TM 4760", 200.0, 17.0, true), "TM 4760");
-    }
-
-    #[test]
-    fn numbers_have_no_idle_digits() {
-        for (value, text) in [(660.0, "660"), (69.116, "69.12"), (0.04, "0.04"), (0.0, "0"), (123_456.0, "123456")] {
-            assert_eq!(significant(value, 4), text);
-        }
-        assert_eq!(significant(659.999_999_999, 4), "660");
-        assert_eq!(significant(1.5e9, 4), "1.500e9");
     }
 }

@@ -24,6 +24,12 @@ impl FunctionCounts {
             Dof::Torsion => self.torsion = Some(count),
         }
     }
+
+    /// Those asked for, in the order flap, lag, torsion.
+    pub fn known(&self) -> impl Iterator<Item = (Dof, usize)> + Clone {
+        let counts = [self.flap, self.lag, self.torsion];
+        Dof::ALL.into_iter().zip(counts).filter_map(|(dof, count)| Some((dof, count?)))
+    }
 }
 report! {
     /// The assumed functions behind a result.

@@ -1,9 +1,9 @@
 //! Branches in the frame, and their labels.
 
+use super::super::labels::Obstacles;
 use super::super::line::{Area, clip, thin};
 use super::super::palette::{Style, dashes};
 use super::super::panel::{EndLabel, Panel};
-use super::super::place::Obstacles;
 use super::super::sheet::{Anchor, Face, Point, Sheet, dash_array};
 use super::super::text;
 use super::crossings::draw_haloed;

@@ -1,9 +1,8 @@
 //! Crossings of branches and rays inside the operating band.
 
-use super::super::line::Area;
+use super::super::labels::{Circles, Obstacles, Placed};
 use super::super::palette::Style;
 use super::super::panel::Panel;
-use super::super::place::Obstacles;
 use super::super::sheet::{Anchor, Face, Point, Sheet};
 use super::super::text;
 use super::units::Units;
@@ -15,6 +14,8 @@ use plotters::style::RGBColor;
 
 /// More crossings than this are counted, not named.
 const MOST_NAMED: usize = 14;
+/// Width of the circles' lines, in units.
+const LINE: f64 = 1.3;
 
 /// A crossing that shows.
 #[derive(Clone, Debug)]
@@ -44,25 +45,26 @@ pub(super) fn draw(sheet: &mut Sheet, style: &Style, marks: &[Mark], obstacles: 
     let radius = radius(style);
     let palette = &style.palette;
     for mark in marks {
-        let (x, y) = mark.at;
-        let half = radius + 1.0;
-        obstacles.boxes.push(Area { left: x - half, top: y - half, right: x + half, bottom: y + half });
-    }
-    for mark in marks {
         sheet.layer(&[("class", "crossing"), ("data-label", &mark.label), ("data-crossing", &mark.name)], &|pen| {
             pen.disc(mark.at, radius, palette.background);
-            pen.circle(mark.at, radius, palette.text, 1.3 * style.unit);
+            pen.circle(mark.at, radius, palette.text, LINE * style.unit);
         });
     }
-    if marks.len() > MOST_NAMED {
-        return;
-    }
     let face = Face::new(style.small(), palette.text, Anchor::Middle);
-    let near = radius + 2.0 * style.unit;
-    let distances = [near, near + 5.0 * style.unit, near + 10.0 * style.unit];
-    for mark in marks {
-        let size = (text::width(&mark.name, face.size, false) + 4.0 * style.unit, 1.15 * face.size);
-        let Some(area) = obstacles.place(mark.at, size, &distances) else { continue };
+    let size = |mark: &Mark| (text::width(&mark.name, face.size, false) + 4.0 * style.unit, 1.15 * face.size);
+    let named = if marks.len() > MOST_NAMED { &[] } else { marks };
+    let centres: Vec<Point> = marks.iter().map(|mark| mark.at).collect();
+    let circles = Circles { centres: &centres, radius, line: LINE * style.unit, unit: style.unit };
+    let placed = circles.label(&named.iter().map(size).collect::<Vec<_>>(), obstacles);
+    for (mark, placed) in marks.iter().zip(placed) {
+        let Some(Placed { area, leader }) = placed else { continue };
+        if let Some(leader) = leader {
+            let (class, label, name) = ("crossing-leader", &mark.label, &mark.name);
+            sheet.layer(&[("class", class), ("data-label", label), ("data-crossing", name)], &|pen| {
+                pen.line(&leader, palette.background, 3.0 * style.unit);
+                pen.line(&leader, palette.text, 0.9 * style.unit);
+            });
+        }
         let at = (0.5 * (area.left + area.right), 0.5 * (area.top + area.bottom) + face.drop());
         draw_haloed(sheet, style, ("crossing-label", &mark.label), at, &mark.name, &face);
     }

@@ -6,17 +6,20 @@ mod crossings;
 mod measured;
 mod range;
 mod rays;
+#[cfg(test)]
+mod tests;
 mod units;
 
 use super::key::{Entry, Foot, Head, Sign, basis_text, draw_background, list_labels};
+use super::labels::Obstacles;
 use super::line::Area;
 use super::palette::Style;
 use super::panel::{self, Panel};
-use super::place::Obstacles;
 use super::scale::Scale;
 use super::sheet::{Anchor, Face, Point, Sheet};
 use super::{ChartOptions, Drawing, text};
 use crate::dof::Dof;
+use crate::figures::short_in_drawing;
 use crate::label::Label;
 use crate::report::FanChart;
 use alloc::format;
@@ -87,7 +90,7 @@ pub fn fan(chart: &FanChart, options: &ChartOptions) -> Drawing {
         &format!("rotor speed [{}]", units.speed.name()),
         &format!("frequency [{}]", units.frequency.symbol()),
     );
-    let mut obstacles = Obstacles { frame: area, boxes: measured.boxes(&style).collect(), lines: Vec::new() };
+    let mut obstacles = Obstacles { boxes: measured.boxes(&style).collect(), ..Obstacles::within(area) };
     obstacles.lines.extend(curves.iter().flat_map(|curve| &curve.parts).map(|part| (part.clone(), 3.0)));
     obstacles.lines.extend(rays.iter().map(|ray| (ray.ends.to_vec(), 1.0)));
     obstacles.lines.extend(nominal.map(|line| (line.to_vec(), 2.0)));
@@ -123,7 +126,7 @@ fn entries(chart: &FanChart, options: &ChartOptions, range: &Range, units: Units
         entries.push(Entry::new(Sign::BladeRay, format!("multiples of {blades}P")));
     }
     if range.meets(chart.nominal.speed_rad_s, options.band) {
-        let (from, to) = (text::significant(options.band.0, 4), text::significant(options.band.1, 4));
+        let (from, to) = (short_in_drawing(options.band.0, 4), short_in_drawing(options.band.1, 4));
         entries.push(Entry::new(Sign::Band, format!("{from} to {to} of nominal speed")));
     }
     let crossings = chart.crossings_in(options.band).filter(|crossing| range.holds(crossing, units)).count();
@@ -157,7 +160,7 @@ fn draw_nominal(
     let speed = units.speed(chart.nominal.speed_rad_s);
     let x = panel.x.at(speed).filter(|x| *x >= area.left && *x <= area.right && speed > 0.0)?;
     let line = [(x, area.top), (x, area.bottom)];
-    let name = format!("nominal {} {}", text::significant(speed, 4), units.speed.name());
+    let name = format!("nominal {} {}", short_in_drawing(speed, 4), units.speed.name());
     let half = 0.5 * text::width(&name, style.small(), false);
     let face = Face::new(style.small(), style.palette.nominal, Anchor::Middle);
     let middle = x.max(area.left + half).min(style.width - 0.5 * style.margin() - half);
@@ -200,8 +203,8 @@ fn description(chart: &FanChart, options: &ChartOptions) -> String {
     format!(
         "Natural frequencies of {} modes over rotor speed from {} to {} {}, with the per-rev rays 1P to {}P.",
         chart.branches.len(),
-        text::significant(first, 4),
-        text::significant(last, 4),
+        short_in_drawing(first, 4),
+        short_in_drawing(last, 4),
         units.speed.name(),
         chart.harmonics
     )

@@ -1,10 +1,10 @@
 //! Per-rev rays and where they leave the frame.
 
+use super::super::labels::{Wish, spread};
 use super::super::line::{Area, clip};
 use super::super::palette::Style;
 use super::super::panel::{EndLabel, Panel};
 use super::super::sheet::{Anchor, Face, Point, Sheet};
-use super::super::spread::{Wish, spread};
 use super::super::text;
 use super::units::Units;
 use crate::report::FanChart;

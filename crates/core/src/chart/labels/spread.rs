@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 /// A label that wants to stand at `target`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Wish {
+pub(in crate::chart) struct Wish {
     pub target: f64,
     /// Length it takes on the line.
     pub size: f64,
@@ -18,7 +18,7 @@ pub(super) struct Wish {
 /// Places between `low` and `high`, none overlapping, their order that of the targets; `None` for
 /// labels there is no room for. Of all such places these have the least sum of squared
 /// displacements (pool adjacent violators).
-pub(super) fn spread(wishes: &[Wish], low: f64, high: f64) -> Vec<Option<f64>> {
+pub(in crate::chart) fn spread(wishes: &[Wish], low: f64, high: f64) -> Vec<Option<f64>> {
     let mut order: Vec<usize> = (0..wishes.len()).filter(|&index| wishes[index].target.is_finite()).collect();
     order.sort_by(|&a, &b| wishes[a].target.total_cmp(&wishes[b].target));
     loop {

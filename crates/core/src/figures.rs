@@ -1,7 +1,15 @@
 //! Numbers as a person reads them: so many significant figures.
 
+use alloc::format;
+use alloc::string::String;
+
+/// Most digits before the point that stay readable without exponent in a table.
+const DIGITS: i32 = 7;
+/// The same in a drawing, where there is less room.
+const DIGITS_IN_DRAWING: i32 = 6;
+
 /// Decimals that show so many significant figures of `largest`.
-pub(crate) fn decimals(largest: f64, figures: usize) -> usize {
+pub fn decimals(largest: f64, figures: usize) -> usize {
     let exponent = exponent(largest, figures).unwrap_or(0);
     let decimals = i32::try_from(figures).unwrap_or(0).saturating_sub(1).saturating_sub(exponent);
     usize::try_from(decimals.max(0)).unwrap_or(0)
@@ -14,17 +22,29 @@ fn exponent(value: f64, figures: usize) -> Option<i32> {
 }
 
 /// `value` to so many significant figures; without exponent where that stays readable.
-pub(crate) fn significant(value: f64, figures: usize) -> String {
+pub fn significant(value: f64, figures: usize) -> String {
+    up_to(DIGITS, value, figures)
+}
+
+/// `value` to at most so many significant figures, without zeros at the end: for running text.
+pub fn short(value: f64, figures: usize) -> String {
+    without_idle_zeros(up_to(DIGITS, value, figures))
+}
+
+/// The same for drawings.
+pub fn short_in_drawing(value: f64, figures: usize) -> String {
+    without_idle_zeros(up_to(DIGITS_IN_DRAWING, value, figures))
+}
+
+fn up_to(digits: i32, value: f64, figures: usize) -> String {
     match exponent(value, figures) {
         _ if value == 0.0 => "0".into(),
-        Some(-4..=6) => format!("{value:.*}", decimals(value, figures)),
+        Some(exponent) if (-4..digits).contains(&exponent) => format!("{value:.*}", decimals(value, figures)),
         _ => format!("{value:.*e}", figures.saturating_sub(1)),
     }
 }
 
-/// `value` to at most so many significant figures, without zeros at the end: for running text.
-pub(crate) fn short(value: f64, figures: usize) -> String {
-    let text = significant(value, figures);
+fn without_idle_zeros(text: String) -> String {
     let number = text.contains('.') && !text.contains('e');
     if number { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
 }
@@ -55,6 +75,24 @@ mod tests {
     fn running_text_has_no_idle_zeros() {
         for (value, text) in [(660.0, "660"), (0.25, "0.25"), (69.115_038, "69.12"), (1.0e9, "1.000e9"), (0.0, "0")] {
             assert_eq!(short(value, 4), text);
+        }
+    }
+
+    #[test]
+    fn drawings_have_at_most_six_digits_before_the_point() {
+        let cases = [
+            (660.0, "660"),
+            (659.999_999_999, "660"),
+            (69.116, "69.12"),
+            (0.04, "0.04"),
+            (0.0, "0"),
+            (123_456.0, "123456"),
+            (999_999.9, "1.000e6"),
+            (1_234_567.0, "1.235e6"),
+            (1.5e9, "1.500e9"),
+        ];
+        for (value, text) in cases {
+            assert_eq!(short_in_drawing(value, 4), text);
         }
     }
 }
