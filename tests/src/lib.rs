@@ -16,7 +16,6 @@ pub mod closed_forms;
 pub mod exact;
 pub mod faults;
 pub mod hostile;
-pub mod paper;
 pub mod random;
 pub mod solve;
 mod sturm;

@@ -1,7 +1,10 @@
 //! The figures and tables of the paper's section 4, made anew through the command line: drawings
 //! and CSV files of `docs/paper`, and the generated parts of `docs/VALIDATION.md`.
-//! `scripts/reproduce-paper` writes them; `tests/tests/paper.rs` compares.
+//! `scripts/reproduce-paper` writes them; `tests/paper/tests/paper.rs` compares.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "it stops where it fails")]
 #![allow(clippy::format_push_string, reason = "text is put together once, and reads better so")]
+
+extern crate alloc;
 
 mod accuracy;
 mod charts;

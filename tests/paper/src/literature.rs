@@ -2,7 +2,7 @@
 
 use super::Output;
 use super::table::{cells, digits, percent, table};
-use crate::cases::Case;
+use bladefan_tests::cases::Case;
 use std::fs;
 use std::path::Path;
 
@@ -11,7 +11,7 @@ pub(super) fn tables(output: &mut Output) {
         let compared = case.compare();
         let mut head = cells(&[case.speed_unit.as_str()]);
         head.extend(case.labels.iter().map(|label| format!("{label} [{}]", case.frequency_unit)));
-        let line = |values: &[crate::cases::Compared]| {
+        let line = |values: &[bladefan_tests::cases::Compared]| {
             let mut row = vec![values[0].speed.to_string()];
             row.extend(values.iter().map(|value| match value.expected {
                 expected if expected > 0.0 => format!("{expected} {}", percent(value.found / expected - 1.0)),

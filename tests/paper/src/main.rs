@@ -1,13 +1,13 @@
 //! Writes the figures and tables of the paper anew; `--check` only says which would change.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program speaks")]
 
-use bladefan_tests::paper::{Cli, Output};
+use bladefan_paper::{Cli, Output};
 use std::env;
 use std::path::Path;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."));
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap_or(Path::new("."));
     let check = env::args().skip(1).any(|argument| argument == "--check");
     let cli = match Cli::find(root) {
         Ok(cli) => cli,

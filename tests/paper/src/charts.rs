@@ -2,7 +2,7 @@
 
 use super::table::{cells, digits, labelled, list, number, percent, table, text};
 use super::{Cli, Output};
-use crate::cases::Case;
+use bladefan_tests::cases::Case;
 use core::fmt::Write as _;
 use serde_json::Value;
 

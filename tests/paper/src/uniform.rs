@@ -4,7 +4,7 @@
 use super::plot::{Axes, COLOURS, Curve, GREY, Stroke, chart};
 use super::table::{cells, labelled, list, number, table};
 use super::{Cli, Output};
-use crate::closed_forms::{CLAMPED, CONTROL_SPRING, SPRING_HINGED};
+use bladefan_tests::closed_forms::{CLAMPED, CONTROL_SPRING, SPRING_HINGED};
 use core::f64::consts::PI;
 use core::fmt::Write as _;
 

@@ -1,6 +1,6 @@
 //! `docs/paper` and the generated parts of `docs/VALIDATION.md` are what the command line prints now.
 
-use bladefan_tests::paper::{Cli, Output};
+use bladefan_paper::{Cli, Output};
 use std::env;
 use std::path::Path;
 use std::process::Command;
@@ -8,7 +8,7 @@ use std::process::Command;
 /// After a change that moves numbers on purpose: `scripts/reproduce-paper`.
 #[test]
 fn figures_and_tables_are_what_the_command_line_prints() -> Result<(), String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("no root")?;
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).ok_or("no root")?;
     // This package's tests alone do not build the command line, or leave an older one.
     if env::var_os("BLADEFAN").is_none() {
         let built =
