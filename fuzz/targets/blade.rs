@@ -2,7 +2,7 @@
 //! sense.
 #![no_main]
 
-use bladefan_core::analysis::{Settings, SpeedRange, fan, modes};
+use bladefan_core::{Settings, SpeedRange, fan, modes};
 use bladefan_core::formats::{Format, read};
 use libfuzzer_sys::fuzz_target;
 

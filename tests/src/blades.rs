@@ -2,11 +2,11 @@
 //! definition and check) and the independent solution in [`exact`](crate::exact), so that neither
 //! depends on how the other reads a table.
 
-use bladefan_core::blade::{Blade, BladeDefinition, Property, PropertyDefinition, RootCondition, RootDefinition};
-use bladefan_core::dof::Dof;
+use bladefan_core::Dof;
+use bladefan_core::PiecewiseLinear;
 use bladefan_core::formats::{Format, read};
 use bladefan_core::library;
-use bladefan_core::numerics::PiecewiseLinear;
+use bladefan_core::{Blade, BladeDefinition, Property, PropertyDefinition, RootCondition, RootDefinition};
 
 /// A property along the span: linear between radii, a repeated radius is a step. SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -210,7 +210,7 @@ impl TestBlade {
     /// # Panics
     /// Where the product refuses the blade: every test blade is legal.
     pub fn blade(&self) -> Blade {
-        bladefan_core::blade::check(&self.definition()).unwrap_or_else(|faults| panic!("refused: {faults:?}\n{self:?}"))
+        bladefan_core::check(&self.definition()).unwrap_or_else(|faults| panic!("refused: {faults:?}\n{self:?}"))
     }
 }
 

@@ -4,8 +4,8 @@
 use crate::blades::{Hold, TestBlade};
 use crate::exact::Exact;
 use crate::solve::{converged_settings, settings, solve_with};
-use bladefan_core::analysis::Settings;
-use bladefan_core::dof::Dof;
+use bladefan_core::Dof;
+use bladefan_core::Settings;
 use bladefan_core::report::ModeReport;
 use core::fmt;
 

@@ -2,12 +2,12 @@
 
 use crate::blades::{Hold, TestBlade, built_in};
 use alloc::collections::BTreeMap;
-use bladefan_core::analysis::{Settings, modes};
-use bladefan_core::blade::Blade;
-use bladefan_core::dof::Dof;
+use bladefan_core::Blade;
+use bladefan_core::Dof;
 use bladefan_core::formats::{Format, read};
 use bladefan_core::report::ModeReport;
 use bladefan_core::units::{RAD_S_PER_RPM, hz};
+use bladefan_core::{Settings, modes};
 use core::fmt::Write as _;
 use serde::Deserialize;
 use std::fs;

@@ -12,7 +12,7 @@ mod panels;
 mod real;
 
 use crate::blades::{End, Hold, TestBlade};
-use bladefan_core::dof::Dof;
+use bladefan_core::Dof;
 pub(crate) use panels::Panel;
 pub use real::{Double, Real};
 

@@ -1,7 +1,7 @@
 //! Bad blade files and the faults that each must give: `faults/cases.json`. The same cases run
 //! through the core, the command line and the wasm package.
 
-use bladefan_core::fault::FaultCode;
+use bladefan_core::FaultCode;
 use serde::Deserialize;
 
 /// A sound file that the cases spoil.

@@ -333,7 +333,7 @@ mod tests {
             let first = case(number);
             assert_eq!(format!("{first:?}"), format!("{:?}", case(number)), "number {number}");
             if first.kind != "far from the usual units" {
-                let faults = bladefan_core::blade::check(&first.blade.definition()).err();
+                let faults = bladefan_core::check(&first.blade.definition()).err();
                 assert!(faults.is_none(), "number {number}, {}: {faults:?}", first.kind);
             }
         }

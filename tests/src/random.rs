@@ -2,7 +2,7 @@
 //! a tenth of the radius, each property on radii of its own, roots without inertia.
 
 use crate::blades::{End, Hold, Table, TestBlade};
-use bladefan_core::dof::Dof;
+use bladefan_core::Dof;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};

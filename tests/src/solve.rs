@@ -1,11 +1,11 @@
 //! Short ways to the facade.
 
 use crate::blades::TestBlade;
-use bladefan_core::analysis::{Settings, modes};
-use bladefan_core::blade::Blade;
-use bladefan_core::dof::Dof;
-use bladefan_core::functions::BasisFamily;
+use bladefan_core::BasisFamily;
+use bladefan_core::Blade;
+use bladefan_core::Dof;
 use bladefan_core::report::ModeReport;
+use bladefan_core::{Settings, modes};
 
 /// Settings for one degree of freedom: `functions` classical functions, `count` modes, at `speed` [rad/s].
 pub fn settings(dof: Dof, speed: f64, functions: usize, count: usize) -> Settings {

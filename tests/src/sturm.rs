@@ -11,7 +11,7 @@
 
 use crate::blades::Hold;
 use crate::exact::{Exact, Real, free_tip, orthonormalise, over};
-use bladefan_core::dof::Dof;
+use bladefan_core::Dof;
 
 impl<T: Real> Exact<T> {
     /// Number of eigenvalues ω² below `square` [rad²/s²], among them the 0 of a free root at rest.

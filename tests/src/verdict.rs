@@ -3,7 +3,7 @@
 
 use crate::blades::TestBlade;
 use crate::exact::{Double, Exact, Real};
-use bladefan_core::dof::Dof;
+use bladefan_core::Dof;
 
 /// Most panels of a blade in f64 and with twice the digits: what needs more is left undecided.
 const MOST: [usize; 2] = [100_000, 10_000];

@@ -4,9 +4,9 @@
 //! of the rotating beam, both in 40- to 50-digit arithmetic with mpmath and printed to 16 digits.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
-use bladefan_core::analysis::{Settings, ShapeScale, shapes};
-use bladefan_core::dof::Dof;
+use bladefan_core::Dof;
 use bladefan_core::report::ShapesReport;
+use bladefan_core::{Settings, ShapeScale, shapes};
 use bladefan_tests::blades::{End, Table, TestBlade};
 use bladefan_tests::closed_forms::{CLAMPED, CONTROL_SPRING, HINGED, SPRING_HINGED};
 use bladefan_tests::solve::{converged, frequencies, settings};

@@ -2,8 +2,8 @@
 //! on blades with very short pieces, and where the answer is known exactly.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
-use bladefan_core::analysis::Settings;
-use bladefan_core::dof::Dof;
+use bladefan_core::Dof;
+use bladefan_core::Settings;
 use bladefan_core::report::ModeReport;
 use bladefan_tests::blades::{End, Hold, Table, TestBlade};
 use bladefan_tests::bracket::{Case, Wrong};

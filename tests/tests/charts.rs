@@ -2,8 +2,8 @@
 //! nominal speed, on which a few functions and a few nodes of a curve must stand for all speeds.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
-use bladefan_core::dof::Dof;
-use bladefan_core::fault::Warning;
+use bladefan_core::Dof;
+use bladefan_core::Warning;
 use bladefan_core::{Settings, SpeedRange, fan, modes};
 use bladefan_tests::blades::TestBlade;
 use bladefan_tests::random::{blade, part_of_cases};

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 #![allow(clippy::print_stdout, reason = "the comparison is worth reading when it holds, too")]
 
-use bladefan_core::dof::Dof;
+use bladefan_core::Dof;
 use bladefan_core::library;
 use bladefan_tests::blades::{End, TestBlade};
 use bladefan_tests::exact;

@@ -3,11 +3,11 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may stop")]
 
-use bladefan_core::analysis::warnings;
-use bladefan_core::blade::{BladeDefinition, Property, PropertyDefinition};
-use bladefan_core::fault::{Fault, FaultCode, Faults};
 use bladefan_core::formats::{Entry, Format, Node, Tree, measured, read, read_tree, to_json, to_toml};
 use bladefan_core::library::ENTRIES;
+use bladefan_core::warnings;
+use bladefan_core::{BladeDefinition, Property, PropertyDefinition};
+use bladefan_core::{Fault, FaultCode, Faults};
 use bladefan_tests::faults::{BASE_JSON, BASE_TOML, Case, Expected, cases};
 use core::fmt::Write;
 use core::time::Duration;

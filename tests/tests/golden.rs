@@ -1,7 +1,7 @@
 //! Files of the repository that a command prints.
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
-use bladefan_core::analysis::{self, Settings};
+use bladefan_core::Settings;
 use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::formats::{Format, read};
 use bladefan_core::library;
@@ -12,7 +12,7 @@ use bladefan_core::library;
 fn the_readme_shows_what_its_command_draws() {
     let entry = library::find("tm4760").unwrap();
     let blade = read(entry.toml, Format::Toml).unwrap().blade;
-    let fan = analysis::fan(&blade, &Settings::default()).unwrap();
+    let fan = bladefan_core::fan(&blade, &Settings::default()).unwrap();
     let drawn = chart::fan(&fan, &ChartOptions::default()).svg;
     let stands = include_str!("../../docs/images/fan-tm4760.svg");
     // Not assert_eq!, which would print both drawings.

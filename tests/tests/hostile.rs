@@ -8,7 +8,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 #![allow(clippy::print_stdout, reason = "what was seen is worth reading when all is well, too")]
 
-use bladefan_core::dof::Dof;
+use bladefan_core::Dof;
 use bladefan_core::formats::to_json;
 use bladefan_tests::hostile::{Hostile, case};
 use bladefan_tests::verdict::{self, Verdict};

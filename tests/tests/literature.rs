@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 #![allow(clippy::print_stdout, reason = "the comparison is worth reading when it holds, too")]
 
-use bladefan_core::dof::Dof;
+use bladefan_core::Dof;
 use bladefan_tests::blades::TestBlade;
 use bladefan_tests::cases::Case;
 use bladefan_tests::solve::frequencies;

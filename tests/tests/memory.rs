@@ -2,10 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests fail by panicking and print what they measured")]
 
 use allocation_counter::measure;
-use bladefan_core::analysis::{Settings, SpeedRange, fan};
-use bladefan_core::blade::Blade;
+use bladefan_core::Blade;
 use bladefan_core::formats::{Format, read};
 use bladefan_core::library;
+use bladefan_core::{Settings, SpeedRange, fan};
 use core::hint::black_box;
 
 fn built_in(name: &str) -> Blade {

@@ -1,12 +1,12 @@
 //! What must hold for every blade, tried on random ones.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
-use bladefan_core::analysis::{Settings, ShapeScale, SpeedRange, converge, fan, modes, shapes};
-use bladefan_core::blade::{BladeDefinition, Property, PropertyDefinition, check};
-use bladefan_core::dof::Dof;
-use bladefan_core::fault::FaultCode;
-use bladefan_core::functions::BasisFamily;
+use bladefan_core::BasisFamily;
+use bladefan_core::Dof;
+use bladefan_core::FaultCode;
 use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit, Units};
+use bladefan_core::{BladeDefinition, Property, PropertyDefinition, check};
+use bladefan_core::{Settings, ShapeScale, SpeedRange, converge, fan, modes, shapes};
 use bladefan_tests::blades::{End, Hold, Table, TestBlade};
 use bladefan_tests::random::{GRID, blade, cases, dof, step_at};
 use bladefan_tests::solve::{frequencies, settings, solve};

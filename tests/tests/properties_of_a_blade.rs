@@ -3,12 +3,10 @@
 
 #![allow(clippy::unwrap_used, clippy::float_cmp, reason = "a test may stop; exact conversions are meant")]
 
-use bladefan_core::blade::{
-    Amount, BladeDefinition, Change, Property, PropertyDefinition, What, change, check, convert,
-};
-use bladefan_core::fault::FaultCode;
+use bladefan_core::FaultCode;
 use bladefan_core::formats::{Format, read, to_json, to_toml};
 use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, Units};
+use bladefan_core::{Amount, BladeDefinition, Change, Property, PropertyDefinition, What, change, check, convert};
 use bladefan_tests::faults::{BASE_TOML, cases};
 use std::fs;
 use std::path::Path;

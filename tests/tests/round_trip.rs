@@ -2,14 +2,14 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop")]
 
-use bladefan_core::analysis::{self, Settings};
-use bladefan_core::blade::{
+use bladefan_core::Dof;
+use bladefan_core::Settings;
+use bladefan_core::formats::{Format, measured, read, to_json, to_toml};
+use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit, Units};
+use bladefan_core::{
     Blade, BladeDefinition, DistributionDefinition, Property, PropertyDefinition, RootDefinition, RootKind,
     RotorDefinition, Source, check, convert,
 };
-use bladefan_core::dof::Dof;
-use bladefan_core::formats::{Format, measured, read, to_json, to_toml};
-use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit, Units};
 use bladefan_tests::faults::{BASE_JSON, BASE_TOML};
 use core::ops::Range;
 use proptest::collection::vec;
@@ -221,7 +221,7 @@ fn converted_blades_have_the_same_frequencies() {
     for entry in bladefan_core::library::ENTRIES {
         let given = read(entry.toml, Format::Toml).unwrap();
         let frequencies = |blade: &Blade| {
-            let report = analysis::modes(blade, &Settings::default()).unwrap();
+            let report = bladefan_core::modes(blade, &Settings::default()).unwrap();
             report.modes.iter().map(|mode| mode.frequency_rad_s).collect::<Vec<_>>()
         };
         let own = frequencies(&given.blade);

@@ -1,6 +1,6 @@
 //! What can go wrong, in which words, and the exit code of each.
 
-use bladefan_core::fault::{Fault, FaultCode};
+use bladefan_core::{Fault, FaultCode};
 use std::io;
 use std::process::ExitCode;
 

@@ -49,24 +49,27 @@ extern crate alloc;
 #[cfg(test)]
 extern crate std;
 
-pub mod analysis;
-pub mod blade;
+mod analysis;
+mod blade;
 #[cfg(feature = "chart")]
 pub mod chart;
-pub mod converged;
-pub mod dof;
-pub mod fan;
-pub mod fault;
+mod converged;
+mod dof;
+mod fan;
+mod fault;
 pub mod figures;
 #[cfg(feature = "formats")]
 pub mod formats;
-pub mod functions;
-pub mod label;
-pub mod lagrange;
+mod functions;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod internals;
+mod label;
+mod lagrange;
 #[cfg(feature = "library")]
 pub mod library;
-pub mod modes;
-pub mod numerics;
+mod modes;
+mod numerics;
 pub mod report;
 pub mod units;
 
@@ -82,6 +85,7 @@ pub use dof::Dof;
 pub use fault::{Fault, FaultCode, Faults, Warning};
 pub use functions::BasisFamily;
 pub use label::{Label, NotALabel};
+pub use numerics::{Linear, PiecewiseLinear};
 pub use units::Units;
 
 /// Version of this program, as in results and charts.

@@ -2,10 +2,9 @@
 
 use crate::Answer;
 use crate::reply::reply;
+use bladefan_core::Faults;
 use bladefan_core::VERSION;
-use bladefan_core::analysis;
 use bladefan_core::chart::FrequencyUnit;
-use bladefan_core::fault::Faults;
 use bladefan_core::formats::{self, Format};
 use bladefan_core::library;
 use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit};
@@ -58,7 +57,7 @@ pub fn about() -> Answer {
     }
     let about = About {
         version: VERSION,
-        model: analysis::MODEL,
+        model: bladefan_core::MODEL,
         speed_units: SpeedUnit::ALL.iter().map(|unit| Unit { name: unit.name(), rad_s: unit.si() }).collect(),
         frequency_units: FrequencyUnit::ALL.iter().map(|unit| unit.name()).collect(),
         units: BladeUnits {

@@ -2,8 +2,7 @@
 
 use crate::options::{self, Analysis};
 use crate::{Answer, solve, string};
-use bladefan_core::analysis;
-use bladefan_core::fault::Faults;
+use bladefan_core::Faults;
 use bladefan_core::formats;
 use wasm_bindgen::prelude::*;
 
@@ -13,7 +12,7 @@ pub fn modes(
     #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "ModesOptions")] options: &JsValue,
 ) -> Answer {
-    solve(blade, options::settings(options, Analysis::Modes), analysis::modes)
+    solve(blade, options::settings(options, Analysis::Modes), bladefan_core::modes)
 }
 
 /// How far each mode is from the nearest harmonic at one rotor speed; nothing at rest.
@@ -23,7 +22,7 @@ pub fn margins(
     #[wasm_bindgen(unchecked_optional_param_type = "ModesOptions")] options: &JsValue,
 ) -> Answer {
     solve(blade, options::settings(options, Analysis::Modes), |blade, settings| {
-        Ok(analysis::margins(&analysis::modes(blade, settings)?))
+        Ok(bladefan_core::margins(&bladefan_core::modes(blade, settings)?))
     })
 }
 
@@ -33,7 +32,7 @@ pub fn fan(
     #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "FanOptions")] options: &JsValue,
 ) -> Answer {
-    solve(blade, options::settings(options, Analysis::Fan), analysis::fan)
+    solve(blade, options::settings(options, Analysis::Fan), bladefan_core::fan)
 }
 
 /// Mode shapes along the span at one rotor speed.
@@ -42,7 +41,7 @@ pub fn shapes(
     #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "ShapesOptions")] options: &JsValue,
 ) -> Answer {
-    solve(blade, options::settings(options, Analysis::Shapes), analysis::shapes)
+    solve(blade, options::settings(options, Analysis::Shapes), bladefan_core::shapes)
 }
 
 /// Frequency against the number of assumed functions at one rotor speed.
@@ -51,7 +50,7 @@ pub fn converge(
     #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "ConvergeOptions")] options: &JsValue,
 ) -> Answer {
-    solve(blade, options::settings(options, Analysis::Converge), analysis::converge)
+    solve(blade, options::settings(options, Analysis::Converge), bladefan_core::converge)
 }
 
 /// Sets measured points (CSV as `measured` reads it) beside the solver's answer: the frequency of each
@@ -64,11 +63,11 @@ pub fn compare(
 ) -> Answer {
     let points = string(csv, "csv").and_then(|text| formats::measured::read(&text));
     let given = Faults::both(points, options::settings(options, Analysis::Compare));
-    solve(blade, given, |blade, (points, settings)| analysis::compare(blade, points, settings))
+    solve(blade, given, |blade, (points, settings)| bladefan_core::compare(blade, points, settings))
 }
 
 /// Mass, inertia and static moments of a blade.
 #[wasm_bindgen(unchecked_return_type = "Reply<BladeSummary>")]
 pub fn check(#[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue) -> Answer {
-    solve(blade, Ok(()), |blade, ()| Ok(analysis::summary(blade)))
+    solve(blade, Ok(()), |blade, ()| Ok(bladefan_core::summary(blade)))
 }

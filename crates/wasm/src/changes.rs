@@ -3,9 +3,7 @@
 use crate::curves;
 use crate::reply::reply;
 use crate::{Answer, read_tree, tree};
-use bladefan_core::analysis;
-use bladefan_core::blade;
-use bladefan_core::fault::Faults;
+use bladefan_core::Faults;
 use bladefan_core::formats;
 use wasm_bindgen::prelude::*;
 
@@ -24,7 +22,7 @@ pub fn change_blade(
     let units = given.as_ref().map(|definition| definition.units).unwrap_or_default();
     let changes = tree::any(changes, "changes").map_err(Faults::from);
     let changes = changes.and_then(|tree| formats::read_changes(&tree, units));
-    let changed = Faults::both(given, changes).and_then(|(given, changes)| blade::change(&given, &changes));
+    let changed = Faults::both(given, changes).and_then(|(given, changes)| bladefan_core::change(&given, &changes));
     reply(changed.map(|changed| (changed, Vec::new())))
 }
 
@@ -39,6 +37,6 @@ pub fn at_speed(
     let speed = speed.ok_or_else(|| tree::fault("speed", "must be a number of at least 0").into());
     reply(Faults::both(curves::curves(chart), speed).map(|(chart, speed)| {
         let branches = chart.branches.iter().map(|(label, frequencies)| (*label, frequencies.as_slice()));
-        (analysis::at_speed(&chart.speeds, branches, speed), Vec::new())
+        (bladefan_core::at_speed(&chart.speeds, branches, speed), Vec::new())
     }))
 }

@@ -3,10 +3,9 @@
 use crate::options::{self, Analysis};
 use crate::reply::reply;
 use crate::{Answer, solve};
-use bladefan_core::analysis;
 use bladefan_core::chart::{self, Drawing, PlotArea};
-use bladefan_core::fault::{Fault, FaultCode};
 use bladefan_core::report::{ConvergeReport, FanChart, ShapesReport};
+use bladefan_core::{Fault, FaultCode};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -50,15 +49,15 @@ pub fn chart_svg(
         let looks = looks.chart_options(settings);
         Ok(match analysis {
             Analysis::Shapes => {
-                let report = analysis::shapes(blade, settings)?;
+                let report = bladefan_core::shapes(blade, settings)?;
                 Drawn::new(chart::shapes(&report, &looks), Report::Shapes(report))
             }
             Analysis::Converge => {
-                let report = analysis::converge(blade, settings)?;
+                let report = bladefan_core::converge(blade, settings)?;
                 Drawn::new(chart::converge(&report, &looks), Report::Converge(report))
             }
             _ => {
-                let report = analysis::fan(blade, settings)?;
+                let report = bladefan_core::fan(blade, settings)?;
                 Drawn::new(chart::fan(&report, &looks), Report::Fan(report))
             }
         })

@@ -1,9 +1,9 @@
 //! A fan chart that comes back from JavaScript, to be read at one speed.
 
 use crate::tree;
-use bladefan_core::fault::{Fault, FaultCode, Faults};
+use bladefan_core::Label;
 use bladefan_core::formats::{Node, Tree};
-use bladefan_core::label::Label;
+use bladefan_core::{Fault, FaultCode, Faults};
 use wasm_bindgen::JsValue;
 
 /// What of a fan chart is needed to read it off.

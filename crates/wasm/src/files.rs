@@ -2,10 +2,8 @@
 
 use crate::reply::reply;
 use crate::{Answer, read_tree, string, with};
-use bladefan_core::analysis;
-use bladefan_core::blade;
-use bladefan_core::fault::{Fault, FaultCode, Faults};
 use bladefan_core::formats::{self, BladeFile, Format};
+use bladefan_core::{Fault, FaultCode, Faults};
 use wasm_bindgen::prelude::*;
 
 /// Reads a blade file's text. Without a format it is JSON where the first character that is not
@@ -15,7 +13,7 @@ pub fn parse_blade(
     #[wasm_bindgen(unchecked_param_type = "string")] text: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "\"toml\" | \"json\"")] format: &JsValue,
 ) -> Answer {
-    reply(read_text(text, format).map(|file| (file.definition, analysis::warnings(&file.blade))))
+    reply(read_text(text, format).map(|file| (file.definition, bladefan_core::warnings(&file.blade))))
 }
 
 /// The text of a blade file in TOML or JSON, which `parse_blade` reads back the same.
@@ -44,7 +42,7 @@ pub fn convert_blade(
     // The blade's own units stand in for absent ones; without a blade the faults are the same.
     let own = given.as_ref().map(|definition| definition.units).unwrap_or_default();
     let units = read_tree(units, "units").and_then(|tree| formats::read_units(&tree, own));
-    reply(Faults::both(given, units).map(|(given, units)| (blade::convert(&given, units), Vec::new())))
+    reply(Faults::both(given, units).map(|(given, units)| (bladefan_core::convert(&given, units), Vec::new())))
 }
 
 /// Reads measured points (CSV with the columns label, speed, frequency, source).

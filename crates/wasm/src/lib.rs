@@ -23,9 +23,8 @@ pub use crate::charts::*;
 pub use crate::files::*;
 
 use crate::reply::reply;
-use bladefan_core::analysis;
-use bladefan_core::blade::Blade;
-use bladefan_core::fault::Faults;
+use bladefan_core::Blade;
+use bladefan_core::Faults;
 use bladefan_core::formats::{self, BladeFile, Tree};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -53,7 +52,7 @@ fn with<S, R: Serialize>(
 ) -> Answer {
     reply(Faults::both(read_blade(blade), settings).and_then(|(file, settings)| {
         let result = answer(&file, &settings)?;
-        Ok((result, analysis::warnings(&file.blade)))
+        Ok((result, bladefan_core::warnings(&file.blade)))
     }))
 }
 

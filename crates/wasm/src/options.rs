@@ -2,12 +2,12 @@
 //! that the command line would be given, and core reads that.
 
 use crate::tree::{elements, entries};
-use bladefan_core::analysis::Settings;
+use bladefan_core::Settings;
 use bladefan_core::chart::{ChartOptions, FrequencyUnit, Theme, parse_frequencies};
-use bladefan_core::fault::{Fault, FaultCode, Faults};
 use bladefan_core::formats::measured;
 use bladefan_core::report::MeasuredPoint;
 use bladefan_core::units::SpeedUnit;
+use bladefan_core::{Fault, FaultCode, Faults};
 use wasm_bindgen::JsValue;
 
 /// What a call computes; each takes the options of the command of the same name.

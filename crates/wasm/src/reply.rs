@@ -1,6 +1,6 @@
 //! Results as JavaScript objects.
 
-use bladefan_core::fault::{Faults, Warning};
+use bladefan_core::{Faults, Warning};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::{JsError, JsValue};

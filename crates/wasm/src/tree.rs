@@ -3,8 +3,8 @@
 //! Written out rather than derived: values from JavaScript may hold themselves, have getters that
 //! throw or be proxies, and all of that must end as a fault, never as an exception.
 
-use bladefan_core::fault::{Fault, FaultCode};
 use bladefan_core::formats::{Entry, Node, Tree};
+use bladefan_core::{Fault, FaultCode};
 use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
 

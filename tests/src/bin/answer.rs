@@ -3,8 +3,8 @@
 //! JSON; exit code 2 and the faults where the library refuses.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program speaks")]
 
-use bladefan_core::analysis::{self, Settings};
-use bladefan_core::fault::Fault;
+use bladefan_core::Fault;
+use bladefan_core::Settings;
 use bladefan_core::formats::{Format, read};
 use std::process::ExitCode;
 use std::{env, fs};
@@ -20,9 +20,9 @@ fn answer(arguments: &[String]) -> Result<String, Vec<Fault>> {
         }
     }
     let json = match question.as_str() {
-        "modes" => serde_json::to_string(&analysis::modes(&blade, &settings)?),
-        "fan" => serde_json::to_string(&analysis::fan(&blade, &settings)?),
-        "shapes" => serde_json::to_string(&analysis::shapes(&blade, &settings)?),
+        "modes" => serde_json::to_string(&bladefan_core::modes(&blade, &settings)?),
+        "fan" => serde_json::to_string(&bladefan_core::fan(&blade, &settings)?),
+        "shapes" => serde_json::to_string(&bladefan_core::shapes(&blade, &settings)?),
         _ => return Err(Vec::new()),
     };
     Ok(json.unwrap_or_default())

@@ -2,7 +2,7 @@
 
 use super::{Real, State, TERMS, over};
 use crate::blades::{Table, TestBlade};
-use bladefan_core::dof::Dof;
+use bladefan_core::Dof;
 
 /// Longest panel in units of the shortest characteristic length of the solution on it.
 pub(super) const REACH: f64 = 1.0;

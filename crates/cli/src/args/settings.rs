@@ -3,10 +3,10 @@
 
 use super::{ConvergeArgs, FamilyArgs, FanArgs, Format, ModesArgs, ShapesArgs, SolverArgs};
 use crate::failure::Failure;
-use bladefan_core::analysis::Settings;
+use bladefan_core::BasisFamily;
+use bladefan_core::Settings;
 use bladefan_core::chart::parse_frequencies;
-use bladefan_core::fault::{Faults, Warning};
-use bladefan_core::functions::BasisFamily;
+use bladefan_core::{Faults, Warning};
 
 /// Options by the names that the core knows them by.
 type Given<'a> = Vec<(&'static str, &'a Option<String>)>;

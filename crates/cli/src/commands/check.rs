@@ -9,14 +9,13 @@ use crate::render::heading::speed;
 use crate::render::table::{Align, Cell, Table};
 use crate::render::text::wrap;
 use crate::render::{csv, json};
-use bladefan_core::analysis;
 use bladefan_core::figures::short;
 use bladefan_core::report::BladeSummary;
 
 pub(super) fn run(args: &CheckArgs) -> Result<Output, Failure> {
     let input = input::load(&args.blade.blade)?;
     output::check(&[input.path.as_ref()], &args.result, None)?;
-    let summary = analysis::summary(&input.file.blade);
+    let summary = bladefan_core::summary(&input.file.blade);
     warn(&summary.warnings);
     let text = match args.result.format {
         Format::Table => table(&summary, output::width(&args.result)),

@@ -10,10 +10,10 @@ use crate::render::heading::{heading, speed};
 use crate::render::table::{Align, Cell, Table};
 use crate::render::text::wrap;
 use crate::render::{csv, json, picture};
-use bladefan_core::analysis::{self, PAPER_FUNCTIONS};
+use bladefan_core::BasisFamily;
+use bladefan_core::Dof;
+use bladefan_core::PAPER_FUNCTIONS;
 use bladefan_core::chart::{self, ChartOptions};
-use bladefan_core::dof::Dof;
-use bladefan_core::functions::BasisFamily;
 use bladefan_core::report::{ConvergeReport, ConvergeSeries};
 use core::fmt::Write as _;
 
@@ -24,7 +24,7 @@ pub(super) fn run(args: &ConvergeArgs) -> Result<Output, Failure> {
     let settings = args.settings()?;
     let input = input::load(&args.blade.blade)?;
     output::check(&[input.path.as_ref()], &args.result, Some(&args.drawing))?;
-    let report = input.ask("solving", |blade| analysis::converge(blade, &settings))?;
+    let report = input.ask("solving", |blade| bladefan_core::converge(blade, &settings))?;
     warn(&args.idle());
     warn(&report.warnings);
     let text = match args.result.format {

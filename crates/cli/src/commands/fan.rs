@@ -10,11 +10,11 @@ use crate::render::heading::{basis, heading, speed};
 use crate::render::table::{Align, Cell, Table};
 use crate::render::text::wrap;
 use crate::render::{csv, json, picture};
-use bladefan_core::analysis::{self, Settings};
+use bladefan_core::Dof;
+use bladefan_core::Label;
+use bladefan_core::Settings;
 use bladefan_core::chart::{self, ChartOptions};
-use bladefan_core::dof::Dof;
 use bladefan_core::figures::{short, significant};
-use bladefan_core::label::Label;
 use bladefan_core::report::{Coincidence, ComparedPoint, FanChart};
 use bladefan_core::units::{hz, rpm};
 use core::fmt::Write as _;
@@ -37,10 +37,10 @@ pub(super) fn run(args: &FanArgs) -> Result<Output, Failure> {
     let input = input::load(&args.blade.blade)?;
     output::check(&[input.path.as_ref(), args.measured.as_ref()], &args.result, Some(&args.drawing))?;
     let points = args.measured.as_deref().map(measured::read).transpose()?;
-    let chart = input.ask("solving", |blade| analysis::fan(blade, &settings))?;
+    let chart = input.ask("solving", |blade| bladefan_core::fan(blade, &settings))?;
     warn(&args.idle(&settings));
     warn(&chart.warnings);
-    let compare = |points: &Vec<_>| input.ask("comparing", |blade| analysis::compare(blade, points, &settings));
+    let compare = |points: &Vec<_>| input.ask("comparing", |blade| bladefan_core::compare(blade, points, &settings));
     // CSV holds the branches alone.
     let compared = points.as_ref().filter(|_| args.result.format != Format::Csv).map(compare).transpose()?;
     let text = match args.result.format {

@@ -10,15 +10,14 @@ use crate::render::columns::{MARGIN_COLUMNS, MODE_COLUMNS, margin_cells, own};
 use crate::render::heading::{basis, heading, speed};
 use crate::render::table::{Align, Cell, Table};
 use crate::render::{csv, json};
-use bladefan_core::analysis;
-use bladefan_core::functions::BasisFamily;
+use bladefan_core::BasisFamily;
 use bladefan_core::report::{ModeReport, ModesReport};
 
 pub(super) fn run(args: &ModesArgs) -> Result<Output, Failure> {
     let settings = args.settings()?;
     let input = input::load(&args.blade.blade)?;
     output::check(&[input.path.as_ref()], &args.result, None)?;
-    let report = input.ask("solving", |blade| analysis::modes(blade, &settings))?;
+    let report = input.ask("solving", |blade| bladefan_core::modes(blade, &settings))?;
     warn(&report.warnings);
     let text = match args.result.format {
         Format::Table => table(&report, settings.functions, output::width(&args.result)),
@@ -38,7 +37,7 @@ fn table(report: &ModesReport, functions: usize, width: usize) -> String {
     };
     let accuracy = [(String::from("bounds\n[rad/s]"), Align::Left), (paper, Align::Point)];
     let mut table = Table::new(MODE_COLUMNS.map(own).into_iter().chain(accuracy).chain(MARGIN_COLUMNS.map(own)));
-    let margins = analysis::margins(report);
+    let margins = bladefan_core::margins(report);
     let bounded = |mode: &ModeReport| Bounded::new(Some(mode.frequency_rad_s), mode.lower_rad_s, mode.upper_rad_s);
     for (index, mode) in report.modes.iter().enumerate() {
         let [nearest, distance] = margin_cells(margins.get(index));

@@ -9,11 +9,11 @@ use crate::render::columns::pick;
 use crate::render::heading::{basis, heading, speed};
 use crate::render::table::{Align, Cell, Table};
 use crate::render::{csv, json, picture};
-use bladefan_core::analysis::{self, Settings, ShapeScale};
+use bladefan_core::Dof;
 use bladefan_core::chart;
-use bladefan_core::dof::Dof;
 use bladefan_core::figures::{decimals, significant};
 use bladefan_core::report::ShapesReport;
+use bladefan_core::{Settings, ShapeScale};
 
 /// Most radii of the table.
 const RADII: usize = 11;
@@ -22,7 +22,7 @@ pub(super) fn run(args: &ShapesArgs) -> Result<Output, Failure> {
     let settings = args.settings()?;
     let input = input::load(&args.blade.blade)?;
     output::check(&[input.path.as_ref()], &args.result, Some(&args.drawing))?;
-    let report = input.ask("solving", |blade| analysis::shapes(blade, &settings))?;
+    let report = input.ask("solving", |blade| bladefan_core::shapes(blade, &settings))?;
     warn(&args.idle(&settings));
     warn(&report.warnings);
     let text = match args.result.format {

@@ -2,8 +2,8 @@
 
 use super::progress;
 use crate::failure::{Failure, reason};
-use bladefan_core::blade::Blade;
-use bladefan_core::fault::Faults;
+use bladefan_core::Blade;
+use bladefan_core::Faults;
 use bladefan_core::formats::{self, BladeFile, Format};
 use bladefan_core::library;
 use std::fs::File;

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::render::text::visible;
 use anstyle::{AnsiColor, Style};
-use bladefan_core::fault::Warning;
+use bladefan_core::Warning;
 use clap::error::ContextValue;
 use std::io::Write;
 use std::process::ExitCode;

@@ -2,8 +2,8 @@
 
 use super::table::Cell;
 use super::text::wrap;
+use bladefan_core::BasisFamily;
 use bladefan_core::figures::{decimals, significant};
-use bladefan_core::functions::BasisFamily;
 use bladefan_core::units;
 
 /// Bounds further apart than this share of the frequency do not hold three digits: not converged.

@@ -8,7 +8,7 @@
 use super::accuracy::percent;
 use super::text::visible;
 use crate::failure::Failure;
-use bladefan_core::functions::BasisFamily;
+use bladefan_core::BasisFamily;
 use bladefan_core::report::{BladeSummary, ConvergeReport, ConvergeSeries, FanChart, ModesReport, ShapesReport};
 use core::fmt::Display;
 use csv::{QuoteStyle, WriterBuilder};
@@ -206,7 +206,7 @@ pub(crate) fn blades<'a>(rows: impl Iterator<Item = [&'a str; 4]>) -> Result<Str
 #[cfg(test)]
 mod tests {
     use super::*;
-    use bladefan_core::dof::Dof;
+    use bladefan_core::Dof;
     use bladefan_core::report::DofSummary;
 
     /// A list of one blade, without its header.

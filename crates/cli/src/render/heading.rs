@@ -1,9 +1,9 @@
 //! What stands above a table: which blade at what speed, what the functions and the model are.
 
 use super::text::wrap;
-use bladefan_core::analysis::MODEL;
+use bladefan_core::BasisFamily;
+use bladefan_core::MODEL;
 use bladefan_core::figures::short;
-use bladefan_core::functions::BasisFamily;
 use bladefan_core::report::BasisReport;
 use bladefan_core::units;
 use unicode_width::UnicodeWidthStr;
@@ -37,7 +37,7 @@ pub(crate) fn basis(report: &BasisReport) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use bladefan_core::dof::Dof;
+    use bladefan_core::Dof;
     use bladefan_core::report::FunctionCounts;
 
     #[test]

@@ -4,7 +4,7 @@
 
 use super::text::{spaces, visible};
 use anstyle::{Ansi256Color, Style};
-use bladefan_core::dof::Dof;
+use bladefan_core::Dof;
 use bladefan_core::figures::significant;
 use unicode_width::UnicodeWidthStr;
 

@@ -1,8 +1,8 @@
 //! Every command in every format on every built-in blade.
 
 use super::{BUILT_IN, run, run_in, run_with, toml};
-use bladefan_core::analysis::{self, Settings};
-use bladefan_core::blade::Blade;
+use bladefan_core::Blade;
+use bladefan_core::Settings;
 use bladefan_core::formats::{self, Format};
 use serde_json::Value;
 use std::fs;
@@ -38,7 +38,7 @@ fn tables_are_as_wide_as_a_terminal_and_say_what_the_model_is() {
                 assert!(line.chars().count() <= 100, "{command} {name}: {line}");
                 assert!(line.trim_end() == line, "{command} {name}: idle space in {line:?}");
             }
-            assert_eq!(table.contains(analysis::MODEL), command != "check", "{command} {name}: {table}");
+            assert_eq!(table.contains(bladefan_core::MODEL), command != "check", "{command} {name}: {table}");
             assert!(!table.contains("NaN") && !table.contains("-0.0000 "), "{command} {name}: {table}");
         }
     }
@@ -57,11 +57,11 @@ fn json_reads_back_to_the_same_numbers() {
     for name in BUILT_IN {
         let blade = blade(name);
         let json = |command: &str| run(&[command, name, "--format", "json"]).good();
-        same(&json("modes"), &analysis::modes(&blade, &settings).unwrap(), name);
-        same(&json("fan"), &analysis::fan(&blade, &settings).unwrap(), name);
-        same(&json("shapes"), &analysis::shapes(&blade, &settings).unwrap(), name);
-        same(&json("converge"), &analysis::converge(&blade, &settings).unwrap(), name);
-        same(&json("check"), &analysis::summary(&blade), name);
+        same(&json("modes"), &bladefan_core::modes(&blade, &settings).unwrap(), name);
+        same(&json("fan"), &bladefan_core::fan(&blade, &settings).unwrap(), name);
+        same(&json("shapes"), &bladefan_core::shapes(&blade, &settings).unwrap(), name);
+        same(&json("converge"), &bladefan_core::converge(&blade, &settings).unwrap(), name);
+        same(&json("check"), &bladefan_core::summary(&blade), name);
     }
 }
 
@@ -97,7 +97,7 @@ fn csv_has_the_same_numbers_under_headers_with_units() {
 
         let (header, modes) = rows("modes");
         assert_eq!((header[1].as_str(), header[5].as_str()), ("rotor speed [rad/s]", "frequency [rad/s]"));
-        let report = analysis::modes(&blade, &Settings::default()).unwrap();
+        let report = bladefan_core::modes(&blade, &Settings::default()).unwrap();
         assert_eq!(modes.len(), report.modes.len());
         for (row, mode) in modes.iter().zip(&report.modes) {
             assert_eq!((row[0].as_str(), row[2].parse()), (blade.name(), Ok(mode.label)));
@@ -109,7 +109,7 @@ fn csv_has_the_same_numbers_under_headers_with_units() {
 
         let (header, fan) = rows("fan");
         assert_eq!((header[0].as_str(), header[1].as_str()), ("rotor speed [rad/s]", "1F [rad/s]"));
-        let chart = analysis::fan(&blade, &Settings::default()).unwrap();
+        let chart = bladefan_core::fan(&blade, &Settings::default()).unwrap();
         assert_eq!((fan.len(), header.len()), (chart.speeds_rad_s.len(), chart.branches.len() + 1));
         for (index, row) in fan.iter().enumerate() {
             for (cell, branch) in row[1..].iter().zip(&chart.branches) {
@@ -126,7 +126,7 @@ fn csv_has_the_same_numbers_under_headers_with_units() {
             converge.iter().find(|row| row[..3] == [mode, family, functions]).unwrap()
         };
         assert_eq!(row("2F", "classical", "1")[3..], ["", ""], "one function has no second mode");
-        let report = analysis::converge(&blade, &Settings::default()).unwrap();
+        let report = bladefan_core::converge(&blade, &Settings::default()).unwrap();
         let series = &report.series[1];
         let (paper, converged) = (series.classical_rad_s[14].unwrap(), series.converged_rad_s.unwrap());
         let paper_row = row("2F", "classical", "15");

@@ -1,13 +1,13 @@
 //! What the converged answer costs: one chart, one speed with bounds, many stations.
 
 use crate::{MODES, best, chart_settings, chart_time, modes_time};
-use bladefan_core::analysis::{Settings, fan, modes};
-use bladefan_core::blade::Blade;
-use bladefan_core::converged::{Converged, Wanted, Work};
-use bladefan_core::dof::Dof;
+use bladefan_core::BasisFamily;
+use bladefan_core::Blade;
+use bladefan_core::Dof;
 use bladefan_core::formats::{Format, read};
-use bladefan_core::functions::BasisFamily;
-use bladefan_core::numerics::quadrature::GaussRules;
+use bladefan_core::internals::GaussRules;
+use bladefan_core::internals::{Converged, Wanted, Work};
+use bladefan_core::{Settings, fan, modes};
 use core::fmt::Write;
 use core::hint::black_box;
 

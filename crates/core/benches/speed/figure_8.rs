@@ -2,8 +2,8 @@
 //! of freedom of both of its small blades, by this solver and by the paper's march on the same matrices.
 
 use crate::{MODES, best, built_in, march, matrices_of};
-use bladefan_core::dof::Dof;
-use bladefan_core::modes::solve;
+use bladefan_core::Dof;
+use bladefan_core::internals::solve;
 use core::hint::black_box;
 
 /// Prints the times [ms] as CSV.

@@ -1,7 +1,7 @@
 //! The paper's way to the frequencies (its §4.3, Eq. 81): march through ω in steps of 2.5 rad/s
 //! until det(G − ω²M) changes sign, then bisect. Only here, as something to compare with.
 
-use bladefan_core::lagrange::SystemMatrices;
+use bladefan_core::internals::SystemMatrices;
 use nalgebra::DMatrix;
 
 /// Step of the march [rad/s].

@@ -55,8 +55,8 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Faults
         let sampled = modes::shapes(&[tables], &solved, speed * speed, norm.as_ref());
         let components = sampled.into_iter().flat_map(|shape| shape.components);
         report.shapes.extend(solved.iter().zip(components).enumerate().map(|(index, (mode, component))| ShapeReport {
-            label: Label::new(dof, index + 1),
-            dof,
+            label: Label::new(component.dof, index + 1),
+            dof: component.dof,
             number: index + 1,
             frequency_rad_s: mode.frequency,
             orthogonality: orthogonality[index],

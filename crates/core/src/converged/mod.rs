@@ -276,7 +276,8 @@ impl Converged {
 
     /// Eigenvalues below a number among all sums of the piecewise functions; `None` where rounding
     /// leaves the count uncertain.
-    pub fn count_below(&self, eigenvalue: f64, speed_squared: f64) -> Option<usize> {
+    #[cfg(test)]
+    fn count_below(&self, eigenvalue: f64, speed_squared: f64) -> Option<usize> {
         count::below(&self.elements, eigenvalue, speed_squared)
     }
 

@@ -6,4 +6,4 @@ mod rays;
 
 pub use between::between;
 pub use curves::{Checked, Curves, sample};
-pub use rays::{RayCrossing, Rays, meet_rays};
+pub use rays::meet_rays;

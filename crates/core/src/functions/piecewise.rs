@@ -31,11 +31,6 @@ impl Mesh {
         Self { ends, orders }
     }
 
-    /// Ends of the elements, x from the root [m].
-    pub fn ends(&self) -> &[f64] {
-        &self.ends
-    }
-
     /// Polynomials per element.
     pub fn orders(&self) -> &[usize] {
         &self.orders

@@ -4,11 +4,19 @@ use super::{
     AssumedFunctions, BendingRoot, ClassicalBending, ClassicalTorsion, Deformation, Mesh, PiecewiseFunctions, Sample,
     TorsionRoot,
 };
-use crate::numerics::quadrature::{GaussRules, each_point};
+use crate::numerics::quadrature::GaussRules;
 use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
 use nalgebra::DMatrix;
+
+/// Calls `f(x, weight)` for each point of a rule on [a, b].
+fn each_point(rule: &[(f64, f64)], a: f64, b: f64, mut f: impl FnMut(f64, f64)) {
+    let (half, middle) = (0.5 * (b - a), 0.5 * (a + b));
+    for &(node, weight) in rule {
+        f(middle + half * node, half * weight);
+    }
+}
 
 const BENDING: [BendingRoot; 7] = [
     BendingRoot::Clamped,

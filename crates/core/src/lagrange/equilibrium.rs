@@ -76,9 +76,7 @@ fn over(grid: &Grid, points: core::ops::Range<usize>, f: &[f64]) -> f64 {
 pub struct ShapeTables {
     /// The degree of freedom.
     pub dof: Dof,
-    /// Radii [m], ascending, p of them.
-    pub radii: Vec<f64>,
-    /// φ (p × n); 0 inboard of the root.
+    /// φ (p radii × n functions); 0 inboard of the root.
     pub value: DMatrix<f64>,
     /// φ′ (p × n) [1/m].
     pub slope: DMatrix<f64>,
@@ -139,7 +137,7 @@ pub fn tabulate(
         }
         store(root, at_inertia, at_pull);
     }
-    ShapeTables { dof, radii: radii.to_vec(), value, slope, inertial, centrifugal }
+    ShapeTables { dof, value, slope, inertial, centrifugal }
 }
 
 #[cfg(test)]

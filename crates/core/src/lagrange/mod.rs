@@ -12,15 +12,15 @@ mod terms;
 mod uncoupled;
 
 pub use assembly::{Energies, SystemMatrices, assemble};
-pub use bounds::{Bounds, Interval, Reference, bounds};
+pub use bounds::{Bounds, Reference, bounds};
 pub use classical::{classical_functions, torsion_norm};
 pub use equilibrium::{FromTip, ShapeTables, tabulate};
 pub use fields::Fields;
 pub use grid::{Grid, Panel};
-pub use residual::{ResidualMoments, Residuals, residual_moments};
+pub use residual::{Residuals, residual_moments};
 pub(crate) use segments::{segments, taper_cuts};
-pub use terms::{Energy, Field, Quantity, System, Term};
-pub use uncoupled::{SYSTEMS, system};
+pub use terms::{Energy, Field, Quantity};
+pub use uncoupled::system;
 
 #[cfg(test)]
 pub(crate) mod tests;

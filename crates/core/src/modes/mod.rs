@@ -5,5 +5,5 @@ mod shapes;
 mod solve;
 
 pub use nodes::nodes;
-pub use shapes::{Component, Shape, orthogonality, shapes};
+pub use shapes::{orthogonality, shapes};
 pub use solve::{Mode, SolveError, coordinates, eigenvalues, solve};

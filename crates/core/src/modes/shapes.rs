@@ -83,14 +83,7 @@ mod tests {
         let table = |dof, value: &[f64]| {
             let columns = value.len() / 2;
             let value = DMatrix::from_column_slice(2, columns, value);
-            ShapeTables {
-                dof,
-                radii: alloc::vec![0.5, 1.0],
-                slope: &value * 2.0,
-                inertial: &value * 8.0,
-                centrifugal: &value * 4.0,
-                value,
-            }
+            ShapeTables { dof, slope: &value * 2.0, inertial: &value * 8.0, centrifugal: &value * 4.0, value }
         };
         [table(Dof::Flap, &[0.5, 1.0]), table(Dof::Torsion, &[1.0, 2.0, 0.0, 4.0])]
     }

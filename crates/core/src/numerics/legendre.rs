@@ -40,7 +40,6 @@ pub fn evaluate(x: f64, out: &mut [Legendre]) {
 /// Tables of the first `order` polynomials at the points of a Gauss rule.
 #[derive(Clone, Debug)]
 pub struct Tables {
-    order: usize,
     points: usize,
     /// Polynomial by polynomial, each at all points.
     value: Vec<f64>,
@@ -53,7 +52,6 @@ impl Tables {
     pub fn new(order: usize, rule: &[(f64, f64)]) -> Self {
         let points = rule.len();
         let mut tables = Self {
-            order,
             points,
             value: vec![0.0; order * points],
             first: vec![0.0; order * points],
@@ -68,11 +66,6 @@ impl Tables {
             }
         }
         tables
-    }
-
-    /// Number of polynomials.
-    pub fn order(&self) -> usize {
-        self.order
     }
 
     /// P_j at all points.

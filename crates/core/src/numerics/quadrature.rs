@@ -61,14 +61,6 @@ fn whole(half: &[(f64, f64)], points: usize) -> Vec<(f64, f64)> {
     lower.chain(half.iter().map(|&(angle, weight)| (cos(angle), weight))).collect()
 }
 
-/// Calls `f(x, weight)` for each point of a rule on [a, b].
-pub fn each_point(rule: &[(f64, f64)], a: f64, b: f64, mut f: impl FnMut(f64, f64)) {
-    let (half, middle) = (0.5 * (b - a), 0.5 * (a + b));
-    for &(node, weight) in rule {
-        f(middle + half * node, half * weight);
-    }
-}
-
 /// The largest phase p for which n points integrate exp(i p t) times a cubic, t in [−1, 1], to
 /// [`TOLERANCE`]. The rule's error is 2^(2k+1) (k!)⁴ / ((2k+1) ((2k)!)³) times the 2k-th
 /// derivative (Abramowitz & Stegun 25.4.30), here p^(2k); two points are kept for the cubic.
