@@ -140,7 +140,9 @@ test("numbers, texts and lists of options mean the same", () => {
   same(modes({ speed: 69.1 }), modes({ speed: "69.1" }));
   same(modes({ dof: ["lag", "flap"] }), modes({ dof: "lag,flap" }));
   same(value(pkg.fan(blade, { speeds: [0, "792rpm", 41], band: [0.8, 1.2] })), value(pkg.fan(blade, { speeds: "0:792rpm:41", band: "0.8:1.2" })));
-  for (const speed of [0.1 + 0.2, 1e-300, 123456789.12345679, 5]) {
+  for (const speed of [0.1 + 0.2, 1e-9, 123456789.12345679, 5]) {
     assert.equal(modes({ speed }).speed_rad_s, speed);
   }
+  const { faults } = pkg.modes(blade, { speed: 1e-300 });
+  assert.equal(faults[0].message, "must be 0 or from 1e-9 to 1e9 rad/s (is 1e-300)");
 });

@@ -43,9 +43,16 @@ fn ask(question: &str, file: &Path, options: &[(&str, String)]) -> Ended {
             serde_json::from_slice(&output.stdout).map_or_else(|e| Ended::Broken(e.to_string()), Ended::Answered)
         }
         (Some(2), _) if !said.trim().is_empty() => Ended::Refused,
-        (_, Some(signal)) if TOO_LONG.contains(&signal) => Ended::Broken(format!("more than {SECONDS} s")),
+        (_, Some(signal)) if TOO_LONG.contains(&signal) => {
+            Ended::Broken(format!("more than {SECONDS} s of processor time"))
+        }
         _ => Ended::Broken(said.lines().take(2).collect::<Vec<_>>().join(" ")),
     }
+}
+
+/// Options as they are typed.
+fn words(options: &[(&str, String)]) -> String {
+    options.iter().map(|(name, value)| format!("{name} {value}")).collect::<Vec<_>>().join(" ")
 }
 
 /// What was seen on some blades.
@@ -86,7 +93,8 @@ impl Seen {
                     }
                     Ended::Broken(how) => vec![how],
                 };
-                let place = format!("number {number}, {}: {question} {basis}", hostile.kind);
+                let place =
+                    format!("number {number}, {}: answer {question} {file:?} {}", hostile.kind, words(&options));
                 self.broken.extend(wrong.into_iter().map(|what| format!("{place}: {what}")));
             }
         }

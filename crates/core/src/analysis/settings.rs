@@ -1,5 +1,6 @@
 //! Options of every command, one plain struct: defaults, reading from text, checks.
 
+use crate::blade::Shortest;
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode, Faults};
 use crate::functions::BasisFamily;
@@ -184,10 +185,10 @@ impl Settings {
         };
         if let Some(speed) = self.speed {
             let broken = speed_rule(speed);
-            require(broken.is_none(), "speed", &speed, broken.unwrap_or_default());
+            require(broken.is_none(), "speed", &Shortest(speed), broken.unwrap_or_default());
         }
         if let Some(range) = self.speeds {
-            let text = format!("{}:{}:{}", range.from, range.to, range.count);
+            let text = format!("{}:{}:{}", Shortest(range.from), Shortest(range.to), range.count);
             let ends = range.from >= 0.0 && range.from < range.to && range.to.is_finite();
             require(ends, "speeds", &text, "must have 0 <= FROM < TO, both finite");
             let fast = !ends || (LEAST_SPEED..=MOST_SPEED).contains(&range.to);
@@ -206,7 +207,7 @@ impl Settings {
         require((1..=MOST_FUNCTIONS).contains(&self.up_to), "up_to", &self.up_to, "must be from 1 to 200");
         require((1..=MOST_HARMONICS).contains(&self.harmonics), "harmonics", &self.harmonics, "must be from 1 to 100");
         require((2..=MOST_POINTS).contains(&self.points), "points", &self.points, "must be from 2 to 10001");
-        let text = format!("{}:{}", self.band.0, self.band.1);
+        let text = format!("{}:{}", Shortest(self.band.0), Shortest(self.band.1));
         let band = self.band.0 >= 0.0 && self.band.0 < self.band.1 && self.band.1.is_finite();
         require(band, "band", &text, "must have 0 <= FROM < TO, both finite");
         let distinct = Dof::ALL.iter().all(|dof| self.dofs.iter().filter(|other| *other == dof).count() <= 1);

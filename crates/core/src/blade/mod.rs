@@ -14,8 +14,9 @@ mod tension;
 
 pub use change::{Amount, Change, Changed, Part, What, change};
 pub use check::check;
+pub(crate) use check::Shortest;
 #[cfg(feature = "formats")]
-pub(crate) use check::{Shortest, choice_fault, shortest};
+pub(crate) use check::{choice_fault, shortest};
 pub use convert::convert;
 pub use definition::{
     BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Source,
