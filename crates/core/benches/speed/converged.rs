@@ -48,7 +48,7 @@ pub(crate) fn ratios(blade: &Blade) {
             for speed in &speeds {
                 let square = speed * speed;
                 drop(black_box(
-                    Converged::new(blade, dof, &Wanted::at(square, MODES), &rules, &mut Work::default()).unwrap(),
+                    Converged::new(blade, dof, &Wanted::at(square, MODES), &rules, &Work::default()).unwrap(),
                 ));
             }
         }

@@ -58,7 +58,7 @@ impl Basis {
         settings: &Settings,
         wanted: &Wanted,
         rules: &GaussRules,
-        work: &mut Work,
+        work: &Work,
     ) -> Result<Self, Faults> {
         Ok(match settings.basis {
             BasisFamily::Classical => {
@@ -152,7 +152,7 @@ pub(super) fn converged(
     dof: Dof,
     wanted: &Wanted,
     rules: &GaussRules,
-    work: &mut Work,
+    work: &Work,
 ) -> Result<Converged, Faults> {
     Converged::new(blade, dof, wanted, rules, work)
         .map_err(|cause| super::unsolvable(SolveError { dofs: system(dof).dofs, cause }))
@@ -180,7 +180,7 @@ mod tests {
 
     fn of(blade: &Blade, dof: Dof, family: BasisFamily) -> Basis {
         let settings = Settings { basis: family, functions: 6, ..Settings::default() };
-        Basis::new(blade, dof, &settings, &Wanted::at(0.0, 3), &GaussRules::new(), &mut Work::default()).unwrap()
+        Basis::new(blade, dof, &settings, &Wanted::at(0.0, 3), &GaussRules::new(), &Work::default()).unwrap()
     }
 
     const FAMILIES: [BasisFamily; 2] = [BasisFamily::Classical, BasisFamily::Piecewise];
@@ -226,7 +226,7 @@ mod tests {
     #[test]
     fn bounds_hold_what_is_known() {
         let (blade, rules) = (clamped(0.5), GaussRules::new());
-        let found = converged(&blade, Dof::Flap, &Wanted::at(0.0, 4), &rules, &mut Work::default()).unwrap();
+        let found = converged(&blade, Dof::Flap, &Wanted::at(0.0, 4), &rules, &Work::default()).unwrap();
         let modes = solve(found.matrices(), 0.0, 4).unwrap();
         let reference = separated(&found, &modes);
         assert!(reference.margin < 1e-4, "counted: {}", reference.margin);

@@ -46,7 +46,7 @@ pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Fa
             }
         }
         let steps = piecewise_steps(blade, dof, speed, settings.modes, &rules)?;
-        let found = converged(blade, dof, &Wanted::at(square, settings.modes + 1), &rules, &mut Work::default())?;
+        let found = converged(blade, dof, &Wanted::at(square, settings.modes + 1), &rules, &Work::default())?;
         let reference = solve(found.matrices(), speed, settings.modes + 1)?;
         let error = found.error();
         let separation = separated(&found, &reference);

@@ -7,7 +7,7 @@ use super::unsolvable;
 use crate::blade::Blade;
 use crate::converged::{Converged, MOST_FUNCTIONS, TOLERANCE, Wanted, Work};
 use crate::dof::Dof;
-use crate::fan::{Checked, Curves, sample};
+use crate::fan::{Checked, Curves, most_functions, sample};
 use crate::fault::Faults;
 use crate::modes::Mode;
 use crate::numerics::quadrature::GaussRules;
@@ -31,6 +31,10 @@ const CHECKED_EVERYWHERE: usize = 120;
 const FUNCTIONS_PER_BEND: f64 = 0.8;
 /// So many such speeds the usual three are a match for.
 const FEW_BENDS: usize = 4;
+/// To find more functions costs so many times what it took to find those there are.
+const AGAIN: f64 = 2.0;
+/// Most speeds at which many functions are looked at.
+const MOST_SAMPLES: usize = 40;
 /// A relative error from which on curves are not worth fitting.
 const POOR: f64 = 1e2 * TOLERANCE;
 
@@ -54,39 +58,43 @@ pub(super) fn fitted(
     rules: &GaussRules,
 ) -> Result<Fitted, Faults> {
     let mut also_at: Vec<f64> = Vec::new();
-    let mut work = Work::for_range();
-    let mut made = Made::new(blade, dof, settings, highest, &also_at, rules, &mut work)?;
+    let work = Work::for_range();
+    let mut made = Made::new(blade, dof, settings, highest, &also_at, rules, &work)?;
     // Where the range spans much of what bends the branches, the functions of three speeds are no match for it.
-    let apart = sample(&made.at_rest, (0.0, highest), FUNCTIONS_PER_BEND);
+    let most = made.affordable(settings.modes, &work);
+    let apart = sample(&made.at_rest, (0.0, highest), FUNCTIONS_PER_BEND, most);
     if apart.len() > FEW_BENDS && matches!(made.basis, Basis::Piecewise(_)) {
         also_at.extend_from_slice(&apart[1..apart.len() - 1]);
-        if let Ok(better) = Made::new(blade, dof, settings, highest, &also_at, rules, &mut work) {
+        if let Ok(better) = Made::new(blade, dof, settings, highest, &also_at, rules, &work) {
             made = better;
         }
     }
     for attempt in 1.. {
-        let last = attempt == MOST_ATTEMPTS || made.is_many(settings.modes) || work.left() <= 0.0;
-        let Some((checked, worst, poor)) = made.look(range, settings.modes, last, work)? else {
-            return made.fitted(None, range, 0.0, work);
+        let affordable = made.affordable(settings.modes, &work);
+        let last = attempt == MOST_ATTEMPTS || affordable == 0;
+        let Some((checked, worst, poor)) = made.look(range, settings.modes, last, &work)? else {
+            return made.fitted(None, range, 0.0, &work);
         };
         if last || poor.is_empty() {
-            return made.fitted(checked, range, worst, work);
+            return made.fitted(checked, range, worst, &work);
         }
         work.spend(checked.map_or(0.0, |curves| curves.work()));
-        also_at.extend(poor);
-        made = match Made::new(blade, dof, settings, highest, &also_at, rules, &mut work) {
+        also_at.extend(poor.into_iter().take(affordable));
+        made = match Made::new(blade, dof, settings, highest, &also_at, rules, &work) {
             Ok(better) => better,
             // So many functions cannot be told apart from one another: those that could are the answer.
-            Err(_) => return made.fitted(None, range, worst, work),
+            Err(_) => return made.fitted(None, range, worst, &work),
         };
     }
-    made.fitted(None, range, 0.0, work)
+    made.fitted(None, range, 0.0, &work)
 }
 
 /// Functions of a range of rotor speeds with their modes at rest.
 struct Made {
     basis: Basis,
     at_rest: Vec<Mode>,
+    /// Work that it took.
+    cost: f64,
 }
 
 impl Made {
@@ -97,22 +105,26 @@ impl Made {
         highest: f64,
         also_at: &[f64],
         rules: &GaussRules,
-        work: &mut Work,
+        work: &Work,
     ) -> Result<Self, Faults> {
         let wanted = Wanted { range: (0.0, highest), count: settings.modes, also_at };
+        let before = work.left();
         let basis = Basis::new(blade, dof, settings, &wanted, rules, work)?;
         let at_rest = solve(basis.matrices(), 0.0, settings.modes)?;
-        Ok(Self { basis, at_rest })
+        Ok(Self { basis, at_rest, cost: before - work.left() })
     }
 
-    /// Whether more functions would be too many.
-    fn is_many(&self, modes: usize) -> bool {
-        self.basis.matrices().count() + ADDED * modes > MOST_FUNCTIONS
+    /// At how many more speeds the functions may be sought: to find them again and to fit curves to their
+    /// eigenvalues takes work.
+    fn affordable(&self, modes: usize, work: &Work) -> usize {
+        let left = work.left() - AGAIN * self.cost;
+        let functions = most_functions(left).min(MOST_FUNCTIONS);
+        functions.saturating_sub(self.basis.matrices().count()) / modes.max(1)
     }
 
     /// The curves, where they are good or `last`, the largest error, and where the functions are to be better;
     /// nothing of the classical family, which is what it is.
-    fn look(&self, range: (f64, f64), modes: usize, last: bool, work: Work) -> Result<Option<Look>, Faults> {
+    fn look(&self, range: (f64, f64), modes: usize, last: bool, work: &Work) -> Result<Option<Look>, Faults> {
         let Basis::Piecewise(converged) = &self.basis else { return Ok(None) };
         let few = self.basis.matrices().count() <= CHECKED_EVERYWHERE;
         let Checked { curves, errors } = if let Some(residuals) = converged.residuals().filter(|_| few) {
@@ -121,16 +133,16 @@ impl Made {
             Curves::fit_checked(self.basis.matrices(), &self.at_rest, range, work.left(), poor, error)
                 .map_err(unsolvable)?
         } else {
-            let squares = sample(&self.at_rest, range, FUNCTIONS_PER_BEND);
+            let squares = sample(&self.at_rest, range, FUNCTIONS_PER_BEND, MOST_SAMPLES);
             Checked { curves: None, errors: squares.into_iter().map(|s| (s, f64::INFINITY)).collect() }
         };
-        let (worst, poor) = poor(converged, errors, modes)?;
+        let (worst, poor) = poor(converged, errors, modes, work)?;
         Ok(Some((curves, worst, poor)))
     }
 
     /// With these curves, or ones fitted now.
-    fn fitted(self, curves: Option<Curves>, range: (f64, f64), worst: f64, work: Work) -> Result<Fitted, Faults> {
-        let Self { basis, at_rest } = self;
+    fn fitted(self, curves: Option<Curves>, range: (f64, f64), worst: f64, work: &Work) -> Result<Fitted, Faults> {
+        let Self { basis, at_rest, cost: _ } = self;
         let curves = match curves {
             Some(curves) => curves,
             None => Curves::fit(basis.matrices(), &at_rest, range.0, range.1, work.left()).map_err(unsolvable)?,
@@ -144,13 +156,18 @@ impl Made {
 type Look = (Option<Curves>, f64, Vec<f64>);
 
 /// The largest error at the Ω² that were looked at, and where the functions are to be better.
-fn poor(converged: &Converged, mut checked: Vec<(f64, f64)>, count: usize) -> Result<(f64, Vec<f64>), Faults> {
+fn poor(
+    converged: &Converged,
+    mut checked: Vec<(f64, f64)>,
+    count: usize,
+    work: &Work,
+) -> Result<(f64, Vec<f64>), Faults> {
     checked.retain(|(_, error)| is_above(*error, TOLERANCE));
     checked.sort_by(|a, b| b.1.total_cmp(&a.1));
     let (mut worst, mut poor) = (0.0, Vec::<f64>::new());
     for (s, _) in checked.into_iter().take(LOOKED_AT) {
         // What is left of large sums may be rounding alone.
-        let error = converged.error_at(s, count).map_err(|cause| super::basis::failed(converged, cause))?;
+        let error = converged.error_at(s, count, work).map_err(|cause| super::basis::failed(converged, cause))?;
         worst = maximum(worst, error);
         let apart = poor.iter().all(|other| (other - s).abs() > APART * other.max(s));
         if is_above(error, TOLERANCE) && apart && poor.len() < ADDED {
@@ -222,7 +239,7 @@ mod tests {
             assert!(found.error <= TOLERANCE, "{dof}: {:e}", found.error);
             for speed in [0.0, 40.0, 231.5, 700.0, 3000.0, to] {
                 let s = speed * speed;
-                let alone = Converged::new(&blade, dof, &Wanted::at(s, 6), &rules, &mut Work::default()).unwrap();
+                let alone = Converged::new(&blade, dof, &Wanted::at(s, 6), &rules, &Work::default()).unwrap();
                 let modes = solve(alone.matrices(), speed, 5).unwrap();
                 for (value, mode) in found.curves.eigenvalues(s).iter().zip(&modes) {
                     assert!((value - mode.eigenvalue).abs() <= 1e-9 * mode.eigenvalue, "{dof} at {speed}: {value}");

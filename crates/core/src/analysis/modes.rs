@@ -38,7 +38,7 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Faults> 
         let for_bounds = settings.basis == BasisFamily::Classical;
         let paper = Classical::new(blade, dof, settings.functions, &rules, for_bounds);
         // One mode more than asked for separates the last one from the rest.
-        let found = converged(blade, dof, &Wanted::at(square, settings.modes + 1), &rules, &mut Work::default())?;
+        let found = converged(blade, dof, &Wanted::at(square, settings.modes + 1), &rules, &Work::default())?;
         let reference = solve(found.matrices(), speed, settings.modes + 1)?;
         let by_paper = available(&paper.matrices, square, settings.modes).map_err(unsolvable)?;
         let error = found.error();

@@ -38,7 +38,7 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Faults
     };
     for dof in settings.ordered_dofs() {
         let basis =
-            Basis::new(blade, dof, settings, &Wanted::at(speed * speed, settings.modes), &rules, &mut Work::default())?;
+            Basis::new(blade, dof, settings, &Wanted::at(speed * speed, settings.modes), &rules, &Work::default())?;
         report.basis.functions.set(dof, basis.count());
         note(&mut report.warnings, dof, basis.error());
         let solved = solve(basis.matrices(), speed, settings.modes)?;

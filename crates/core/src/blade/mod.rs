@@ -13,8 +13,8 @@ mod section;
 mod tension;
 
 pub use change::{Amount, Change, Changed, Part, What, change};
-pub use check::check;
 pub(crate) use check::Shortest;
+pub use check::check;
 #[cfg(feature = "formats")]
 pub(crate) use check::{choice_fault, shortest};
 pub use convert::convert;

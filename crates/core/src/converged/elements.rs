@@ -2,6 +2,7 @@
 //! and the operations of inverse iteration in time proportional to the number of elements.
 
 use super::layout::Layout;
+use super::work::Effort;
 use crate::blade::{Blade, Place, RootCondition};
 use crate::dof::Dof;
 use crate::functions::{Deformation, Mesh};
@@ -39,6 +40,7 @@ pub(super) struct Elements {
     /// Per element: centrifugal energy between its polynomials and a unit rotation, and of the rotation itself.
     coupling: Vec<f64>,
     own: Vec<f64>,
+    effort: Effort,
 }
 
 /// The points of a mesh.
@@ -86,10 +88,16 @@ impl Elements {
             centrifugal: Vec::new(),
             coupling: Vec::new(),
             own: Vec::new(),
+            effort: Effort::new(mesh.orders()),
             mesh,
         };
         elements.add_energies();
         elements
+    }
+
+    /// What the steps of a solve cost.
+    pub(super) fn effort(&self) -> Effort {
+        self.effort
     }
 
     /// The points at which energies are exact.

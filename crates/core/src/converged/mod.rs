@@ -11,6 +11,7 @@ mod layout;
 mod reduced;
 mod refine;
 mod subspace;
+mod work;
 
 use crate::blade::Blade;
 use crate::dof::Dof;
@@ -27,6 +28,7 @@ use nalgebra::DMatrix;
 use reduced::Reduced;
 use refine::raise;
 use subspace::Subspace;
+pub use work::Work;
 
 /// Relative error of an eigenvalue that is aimed at.
 pub const TOLERANCE: f64 = 1e-10;
@@ -37,6 +39,8 @@ const MOST_ROUNDS: usize = 8;
 const SETTLED: f64 = 1e-3;
 /// Iterating on is worthwhile while it leaves less than this of the error.
 const WORTHWHILE: f64 = 0.3;
+/// Another round costs this much of the last one.
+const ONCE_MORE: f64 = 1.5;
 /// Most rounds of inverse iteration at one speed.
 const MOST_ITERATIONS: usize = 8;
 /// Where the modes are sought first, and then, as shares of the range of Ω².
@@ -53,39 +57,6 @@ const COUNTED_BELOW: [f64; 3] = [1e-7, 1e-6, 1e-5];
 /// So many elements are each given a load of its own where the iteration has missed a mode, once,
 /// and once more.
 const LOADED_ELEMENTS: [usize; 2] = [16, 64];
-/// Most multiplications of one solve, about: where they are used up, what was found is the answer, and
-/// its error says how good it is. Ordinary blades need a hundredth.
-const MOST_WORK: f64 = 2.5e8;
-
-/// What is left to spend on one degree of freedom, in multiplications: the bound on the time of a solve.
-#[derive(Clone, Copy, Debug)]
-pub struct Work {
-    left: f64,
-}
-
-impl Default for Work {
-    fn default() -> Self {
-        Self { left: MOST_WORK }
-    }
-}
-
-impl Work {
-    /// For a range of rotor speeds.
-    pub const fn for_range() -> Self {
-        Self { left: 2.4 * MOST_WORK }
-    }
-
-    /// Takes off what was done.
-    pub fn spend(&mut self, multiplications: f64) {
-        self.left -= multiplications;
-    }
-
-    /// What is left; not above 0 where all is spent.
-    pub fn left(&self) -> f64 {
-        self.left
-    }
-}
-
 /// The lowest modes of one degree of freedom over a range of rotor speeds, as a few functions.
 #[derive(Clone, Debug)]
 pub struct Converged {
@@ -118,6 +89,12 @@ impl Wanted<'_> {
         self.range.1 > self.range.0
     }
 
+    /// How many anchors and functions there may be in the end.
+    fn most(&self) -> (usize, usize) {
+        let anchors = self.anchors(true).len();
+        (anchors, anchors * self.count + 1)
+    }
+
     /// Ω² at a share of the range.
     fn share(&self, share: f64) -> f64 {
         let (from, to) = self.range;
@@ -146,17 +123,13 @@ impl Converged {
     ///
     /// # Errors
     /// [`EigenError`].
-    pub fn new(
-        blade: &Blade,
-        dof: Dof,
-        wanted: &Wanted,
-        rules: &GaussRules,
-        work: &mut Work,
-    ) -> Result<Self, EigenError> {
+    pub fn new(blade: &Blade, dof: Dof, wanted: &Wanted, rules: &GaussRules, work: &Work) -> Result<Self, EigenError> {
         let mut layout = first_layout(blade, dof, wanted.range.1, wanted.count);
         let mut last: Option<Self> = None;
         for _ in 0..MOST_ROUNDS {
+            let before = work.left();
             let elements = Elements::new(blade, dof, &layout, rules);
+            work.spend(elements.effort().setup);
             let (mut found, shares) = match Self::on(elements, wanted, rules, true, work) {
                 Ok(found) => found,
                 // A coarser answer is better than none.
@@ -173,7 +146,8 @@ impl Converged {
                 last = Some(found);
             }
             let idle = wanted.is_range() && !helped;
-            if error <= TOLERANCE || idle || work.left() <= 0.0 || !raise(&mut layout, &shares) {
+            let affordable = ONCE_MORE * (before - work.left()) < work.left();
+            if error <= TOLERANCE || idle || !affordable || !raise(&mut layout, &shares) {
                 break;
             }
         }
@@ -195,7 +169,7 @@ impl Converged {
         let mut layout = first_layout(blade, dof, speed_squared, count);
         layout.orders.fill(order);
         let elements = Elements::new(blade, dof, &layout, rules);
-        Ok(Self::on(elements, &Wanted::at(speed_squared, count), rules, false, &mut Work::default())?.0)
+        Ok(Self::on(elements, &Wanted::at(speed_squared, count), rules, false, &Work::default())?.0)
     }
 
     /// Inverse iteration on one mesh; with the largest share that each element has in the errors.
@@ -205,40 +179,45 @@ impl Converged {
         wanted: &Wanted,
         rules: &GaussRules,
         counts: bool,
-        work: &mut Work,
+        work: &Work,
     ) -> Result<(Self, Vec<f64>), EigenError> {
         let count = wanted.count;
         let mut anchors = wanted.anchors(false);
         let start = anchors[0];
         let factor = elements.factor(start).ok_or(EigenError::NotPositiveDefinite)?;
-        let mut subspace = Subspace::new(&elements, start, work.left());
+        let mut subspace = Subspace::new(&elements, start, wanted, work);
         subspace.start(&factor, start, if wanted.is_range() { 2 * count } else { 2 * count + 2 });
         let from_tip = FromTip::new(elements.fine_grid(), rules);
         let (mut settled, mut last) = (SETTLED, f64::INFINITY);
         let (mut widened, mut loads) = (false, LOADED_ELEMENTS.iter());
         loop {
             for (index, &s) in anchors.iter().enumerate() {
+                if index > 0 && subspace.is_exhausted() {
+                    break;
+                }
                 let there;
                 let factor = if index == 0 {
                     &factor
                 } else {
                     there = elements.factor(s).ok_or(EigenError::NotPositiveDefinite)?;
+                    work.spend(elements.effort().factor);
                     &there
                 };
                 iterate(&mut subspace, factor, s, count, settled)?;
             }
             let found = Reduced::new(&elements, &subspace, &anchors, count)?;
+            work.spend(elements.effort().reduction(subspace.len(), found.matrices.count()));
             let mut error = 0.0_f64;
             let mut shares = vec![0.0; elements.mesh.orders().len()];
             // A range is looked at through what all its speeds share, and closely where that is not enough.
-            let residuals = wanted.is_range().then(|| found.residuals(&elements, &from_tip));
+            let residuals = wanted.is_range().then(|| found.residuals(&elements, &from_tip, work));
             let by_products = match &residuals {
-                Some(residuals) => found.error(residuals, &wanted.checks(), count)?,
+                Some(residuals) => found.error(residuals, &wanted.checks(), count, work)?,
                 None => f64::INFINITY,
             };
             if is_above(by_products, TOLERANCE) {
                 for s in wanted.checks() {
-                    error = error.max(found.check(&elements, s, count, &from_tip, &mut shares)?);
+                    error = error.max(found.check(&elements, s, count, &from_tip, &mut shares, work)?);
                 }
             } else {
                 error = by_products;
@@ -251,14 +230,13 @@ impl Converged {
             } else if error <= TOLERANCE || !helped {
                 // Where neither iterating on nor more speeds help, the elements are to blame, unless a
                 // mode was missed.
-                let counted = if counts { found.counted(&elements, start, count, error)? } else { None };
+                let counted = if counts { found.counted(&elements, start, count, error, work)? } else { None };
                 let again = counts && counted.is_none() && !subspace.is_exhausted();
                 if let Some(loaded) = loads.next().filter(|_| again) {
                     subspace.push_loads(&factor, *loaded);
                     (settled, last) = (SETTLED, f64::INFINITY);
                     continue;
                 }
-                work.spend(subspace.work());
                 drop(subspace);
                 return Ok((Self { elements, found, error, counted, residuals, from_tip }, shares));
             } else {
@@ -285,9 +263,9 @@ impl Converged {
     ///
     /// # Errors
     /// [`EigenError`].
-    pub fn error_at(&self, speed_squared: f64, count: usize) -> Result<f64, EigenError> {
+    pub fn error_at(&self, speed_squared: f64, count: usize, work: &Work) -> Result<f64, EigenError> {
         let mut shares = vec![0.0; self.elements.mesh.orders().len()];
-        self.found.check(&self.elements, speed_squared, count, &self.from_tip, &mut shares)
+        self.found.check(&self.elements, speed_squared, count, &self.from_tip, &mut shares, work)
     }
 
     /// How good any mode within these functions is, at any speed; of a range.

@@ -2,6 +2,7 @@
 
 use super::elements::Elements;
 use super::subspace::Subspace;
+use super::work::{Effort, Work};
 use super::{COUNTED_BELOW, count};
 use crate::lagrange::{Fields, FromTip, Residuals, SystemMatrices, assemble, residual_moments};
 use crate::numerics::eigen::{EigenError, lowest};
@@ -55,7 +56,9 @@ impl Reduced {
         count: usize,
         from_tip: &FromTip,
         shares: &mut [f64],
+        work: &Work,
     ) -> Result<f64, EigenError> {
+        work.spend(elements.effort().check(self.matrices.count(), count));
         let grid = elements.fine_grid();
         let shift = grid.system().shift(s);
         let g = self.matrices.stiffness() + self.matrices.centrifugal() * s + self.matrices.mass() * shift;
@@ -80,13 +83,21 @@ impl Reduced {
     }
 
     /// The residual moments of all sums of the functions.
-    pub(super) fn residuals(&self, elements: &Elements, from_tip: &FromTip) -> Residuals {
+    pub(super) fn residuals(&self, elements: &Elements, from_tip: &FromTip, work: &Work) -> Residuals {
         let n = self.matrices.count();
+        work.spend(elements.effort().residuals(n));
         Residuals::new(elements.fine_grid(), from_tip, &self.fields(elements, &DMatrix::identity(n, n)))
     }
 
     /// The largest relative error of the `count` lowest eigenvalues at some Ω².
-    pub(super) fn error(&self, residuals: &Residuals, squares: &[f64], count: usize) -> Result<f64, EigenError> {
+    pub(super) fn error(
+        &self,
+        residuals: &Residuals,
+        squares: &[f64],
+        count: usize,
+        work: &Work,
+    ) -> Result<f64, EigenError> {
+        work.spend(squares.len() as f64 * Effort::modes(self.matrices.count()));
         let mut worst = 0.0;
         for &s in squares {
             let g = self.matrices.stiffness() + self.matrices.centrifugal() * s;
@@ -106,7 +117,9 @@ impl Reduced {
         s: f64,
         count: usize,
         error: f64,
+        work: &Work,
     ) -> Result<Option<f64>, EigenError> {
+        work.spend(Effort::modes(self.matrices.count()) + elements.effort().count);
         let shift = elements.grid().system().shift(s);
         let g = self.matrices.stiffness() + self.matrices.centrifugal() * s + self.matrices.mass() * shift;
         let found = lowest(&g, self.matrices.mass(), count)?.values;
@@ -207,12 +220,12 @@ mod tests {
         let elements = &found.elements;
         let from_tip = FromTip::new(elements.fine_grid(), &rules);
         let mut shares = vec![0.0; elements.mesh.orders().len()];
-        let error = found.found.check(elements, 1e4, 1, &from_tip, &mut shares).unwrap();
+        let error = found.found.check(elements, 1e4, 1, &from_tip, &mut shares, &Work::default()).unwrap();
         let sum: f64 = shares.iter().sum();
         assert!(error > 1e-12 && (sum / error - 1.0).abs() < 1e-12, "{error:e} {sum:e}");
         // A share that is larger already stays.
         let mut large = vec![1.0; shares.len()];
-        found.found.check(elements, 1e4, 1, &from_tip, &mut large).unwrap();
+        found.found.check(elements, 1e4, 1, &from_tip, &mut large, &Work::default()).unwrap();
         assert!(large.iter().all(|share| *share == 1.0));
     }
 

@@ -1,6 +1,8 @@
 //! The part of all piecewise functions in which the lowest modes lie, grown by inverse iteration.
 
+use super::Wanted;
 use super::elements::{Elements, Factor};
+use super::work::{Effort, Work};
 use crate::blade::RootCondition;
 use crate::functions::Deformation;
 use crate::lagrange::Energies;
@@ -9,7 +11,6 @@ use crate::numerics::scalar::sqrt;
 use crate::numerics::vector::{axpy, dot, scale};
 use alloc::vec;
 use alloc::vec::Vec;
-use core::cell::Cell;
 use nalgebra::DMatrix;
 
 /// A vector that keeps less than this of its length beside those there are says nothing new.
@@ -36,9 +37,9 @@ pub(super) struct Subspace<'a> {
     members: Vec<Displacement>,
     /// Quadrature weights times inertia.
     masses: Vec<f64>,
-    /// Multiplications so far, about, and the most there may be.
-    work: Cell<f64>,
-    most_work: f64,
+    work: &'a Work,
+    /// Anchors and functions there may be in the end.
+    most: (usize, usize),
 }
 
 /// One function of the subspace.
@@ -60,7 +61,7 @@ struct Displacement {
 }
 
 impl<'a> Subspace<'a> {
-    pub(super) fn new(elements: &'a Elements, anchor: f64, most_work: f64) -> Self {
+    pub(super) fn new(elements: &'a Elements, anchor: f64, wanted: &Wanted, work: &'a Work) -> Self {
         let grid = elements.grid();
         let mut subspace = Self {
             elements,
@@ -72,8 +73,8 @@ impl<'a> Subspace<'a> {
             inertia: Vec::new(),
             members: Vec::new(),
             masses: grid.weighted(grid.inertia()).collect(),
-            work: Cell::new(0.0),
-            most_work,
+            work,
+            most: wanted.most(),
         };
         if elements.root_rotates() {
             let displacement = Displacement::new(grid.rigid_displacement(), &subspace.masses);
@@ -93,19 +94,19 @@ impl<'a> Subspace<'a> {
         self.functions.len()
     }
 
-    /// Multiplications so far, about.
-    pub(super) fn work(&self) -> f64 {
-        self.work.get()
-    }
-
     /// Whether there was work enough, or the functions fill the memory that they may.
     pub(super) fn is_exhausted(&self) -> bool {
         let numbers = 4 * self.elements.mesh.count() + 2 * self.elements.grid().len();
-        self.work.get() > self.most_work || self.len() * numbers > MOST_NUMBERS
+        self.work.left() < self.ending() || self.len() * numbers > MOST_NUMBERS
     }
 
-    fn worked(&self, multiplications: usize) {
-        self.work.set(self.work.get() + multiplications as f64);
+    /// What it takes to come to an end with the functions there are.
+    fn ending(&self) -> f64 {
+        let (anchors, most) = self.most;
+        let few = most.min(self.len());
+        let effort = self.elements.effort();
+        let checks = Effort::modes(few) * anchors as f64;
+        anchors as f64 * Effort::modes(self.len()) + effort.reduction(self.len(), few) + effort.residuals(few) + checks
     }
 
     /// The first vectors: the static shape of a rotated root, the response to the inertia of a motion
@@ -190,7 +191,7 @@ impl<'a> Subspace<'a> {
     fn push(&mut self, mut coefficients: Vec<f64>) -> f64 {
         let mut share = 1.0;
         loop {
-            self.worked((2 * self.len() + 20) * coefficients.len());
+            self.work.spend(self.elements.effort().function(self.len()));
             let mut taken = 0.0;
             for known in &self.functions[self.rigid..] {
                 let along = dot(&known.potential, &coefficients);
@@ -234,7 +235,7 @@ impl<'a> Subspace<'a> {
         if let RootCondition::Spring(spring) = self.elements.grid().condition() {
             g[(0, 0)] += spring;
         }
-        self.worked(15 * self.len() * self.len() * self.len());
+        self.work.spend(Effort::modes(self.len()));
         lowest(&g, &m, count)
     }
 
@@ -300,7 +301,8 @@ mod tests {
         for dof in Dof::ALL {
             let elements = elements(dof);
             let factor = elements.factor(1e4).unwrap();
-            let mut subspace = Subspace::new(&elements, 1e4, f64::INFINITY);
+            let work = Work::of(f64::INFINITY);
+            let mut subspace = Subspace::new(&elements, 1e4, &Wanted::at(1e4, 4), &work);
             subspace.start(&factor, 1e4, 8);
             subspace.push_loads(&factor, 5);
             assert!(subspace.len() >= 10, "{dof}: {}", subspace.len());
@@ -321,22 +323,25 @@ mod tests {
     fn work_grows_and_ends() {
         let elements = elements(Dof::Flap);
         let factor = elements.factor(1e4).unwrap();
-        let mut subspace = Subspace::new(&elements, 1e4, 1e6);
-        let mut before = subspace.work();
-        assert_eq!((before, subspace.is_exhausted()), (0.0, false));
+        let (work, wanted) = (Work::of(1e6), Wanted::at(1e4, 4));
+        let mut subspace = Subspace::new(&elements, 1e4, &wanted, &work);
+        let mut before = work.left();
+        assert!(!subspace.is_exhausted());
         subspace.start(&factor, 1e4, 4);
-        assert!(subspace.work() > before);
-        before = subspace.work();
+        assert!(work.left() < before);
+        before = work.left();
         subspace.ritz(1e4, 2).unwrap();
-        assert!(subspace.work() > before);
+        assert!(work.left() < before);
         let mut rounds = 0;
         while !subspace.is_exhausted() {
             subspace.ritz(1e4, 2).unwrap();
             rounds += 1;
             assert!(rounds < 10_000, "work has an end");
         }
+        assert!(work.left() > 0.0, "enough is left to end with");
         // With nothing to spend the first vectors are all there are.
-        let mut poor = Subspace::new(&elements, 1e4, 0.0);
+        let none = Work::of(0.0);
+        let mut poor = Subspace::new(&elements, 1e4, &wanted, &none);
         poor.start(&factor, 1e4, 50);
         assert!(poor.len() <= 2, "{}", poor.len());
     }
@@ -349,7 +354,8 @@ mod tests {
         for dof in Dof::ALL {
             let elements = elements(dof);
             let factor = elements.factor(1e4).unwrap();
-            let mut subspace = Subspace::new(&elements, 1e4, f64::INFINITY);
+            let work = Work::of(f64::INFINITY);
+            let mut subspace = Subspace::new(&elements, 1e4, &Wanted::at(1e4, 4), &work);
             let shift = elements.grid().system().shift(1e4);
             let found = converged(&blade, dof, 1e4, 2);
             let exact: Vec<f64> = crate::modes::solve(found.matrices(), 1e4, 2)

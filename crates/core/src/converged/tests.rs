@@ -29,7 +29,7 @@ pub(super) fn stepped() -> Blade {
 }
 
 pub(super) fn converged(blade: &Blade, dof: Dof, speed_squared: f64, count: usize) -> Converged {
-    Converged::new(blade, dof, &Wanted::at(speed_squared, count), &GaussRules::new(), &mut Work::default()).unwrap()
+    Converged::new(blade, dof, &Wanted::at(speed_squared, count), &GaussRules::new(), &Work::default()).unwrap()
 }
 
 fn frequencies(found: &Converged, speed: f64, count: usize) -> Vec<f64> {
@@ -40,7 +40,7 @@ fn frequencies(found: &Converged, speed: f64, count: usize) -> Vec<f64> {
 #[test]
 fn a_stepped_blade_at_rest() {
     let rules = GaussRules::new();
-    let found = Converged::new(&stepped(), Dof::Flap, &Wanted::at(0.0, 5), &rules, &mut Work::default()).unwrap();
+    let found = Converged::new(&stepped(), Dof::Flap, &Wanted::at(0.0, 5), &rules, &Work::default()).unwrap();
     assert!(found.error() < TOLERANCE);
     let exact = [
         51.261_342_728_553_77,
@@ -64,14 +64,13 @@ fn a_range_is_as_good_as_each_of_its_speeds() {
             dof,
             &Wanted { range: (0.0, 150.0 * 150.0), count: 5, also_at: &[] },
             &rules,
-            &mut Work::default(),
+            &Work::default(),
         )
         .unwrap();
         assert!(range.error() < TOLERANCE, "{dof}: {:e}", range.error());
         assert!(range.matrices().count() <= 20, "{dof}: {}", range.matrices().count());
         for speed in [0.0, 20.0, 77.0, 105.0, 140.0, 150.0] {
-            let single =
-                Converged::new(&blade, dof, &Wanted::at(speed * speed, 5), &rules, &mut Work::default()).unwrap();
+            let single = Converged::new(&blade, dof, &Wanted::at(speed * speed, 5), &rules, &Work::default()).unwrap();
             let pairs = frequencies(&range, speed, 5).into_iter().zip(frequencies(&single, speed, 5));
             for (of_range, own) in pairs {
                 assert!((of_range / own - 1.0).abs() < TOLERANCE, "{dof} at {speed}: {of_range} {own}");
@@ -90,7 +89,7 @@ fn sampled_functions_have_the_same_matrices() {
             dof,
             &Wanted { range: (0.0, 1e4), count: 3, also_at: &[] },
             &rules,
-            &mut Work::default(),
+            &Work::default(),
         )
         .unwrap();
         let functions = found.functions();

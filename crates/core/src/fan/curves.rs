@@ -12,7 +12,7 @@
 use crate::lagrange::SystemMatrices;
 use crate::modes::{Mode, SolveError, coordinates, eigenvalues};
 use crate::numerics::chebyshev::{interpolate, node, slopes};
-use crate::numerics::scalar::{ceil, exp_m1, is_above, ln_1p, maximum};
+use crate::numerics::scalar::{ceil, exp_m1, is_above, ln_1p, maximum, pow};
 use alloc::vec;
 use alloc::vec::Vec;
 use core::cell::{Cell, RefCell};
@@ -31,12 +31,10 @@ const LAST_DEGREE: usize = 32;
 const CHECKS: [f64; 2] = [0.013, 0.47];
 /// Where modes are looked at before the first node, as shares of the way to it.
 const BESIDE_REST: [f64; 3] = [0.02, 0.15, 0.5];
-/// Most parts of a sample.
-const MOST_SAMPLES: usize = 40;
 /// Most pieces; the last ones are taken as they are.
 const MOST_PIECES: usize = 64;
 /// Multiplications of an eigenproblem, by the cube of its order.
-const PER_CUBE: f64 = 15.0;
+const PER_CUBE: f64 = 5.0;
 /// Bounds of the bend of the scale as a share of the highest Ω²: outside them it is straight, or
 /// rest is all there is of it.
 const BEND: (f64, f64) = (1e-12, 1e3);
@@ -235,7 +233,7 @@ impl Curves {
         let mut values = vec![0.0; self.branches];
         let t = self.scale.at(speed_squared);
         if let Some(piece) = self.piece(t) {
-            interpolate(&piece.nodes, &piece.rows, t, &mut values);
+            interpolate(&piece.nodes, &piece.rows, 0, t, &mut values);
         }
         if self.rigid
             && let Some(first) = values.first_mut()
@@ -257,11 +255,20 @@ impl Curves {
 
     /// Value and slope of every branch.
     pub(super) fn points(&self, speed_squared: f64) -> Vec<Point> {
-        let (mut values, mut derivatives) = (vec![0.0; self.branches], vec![0.0; self.branches]);
+        self.points_of(0, self.branches, speed_squared)
+    }
+
+    /// Value and slope of one branch.
+    pub(super) fn point(&self, branch: usize, speed_squared: f64) -> Point {
+        self.points_of(branch, 1, speed_squared)[0]
+    }
+
+    fn points_of(&self, first: usize, count: usize, speed_squared: f64) -> Vec<Point> {
+        let (mut values, mut derivatives) = (vec![0.0; count], vec![0.0; count]);
         let t = self.scale.at(speed_squared);
         if let Some(piece) = self.piece(t) {
-            interpolate(&piece.nodes, &piece.rows, t, &mut values);
-            slopes(&piece.nodes, &piece.rows, t, &mut derivatives);
+            interpolate(&piece.nodes, &piece.rows, first, t, &mut values);
+            slopes(&piece.nodes, &piece.rows, first, t, &mut derivatives);
         }
         let rate = 1.0 / (speed_squared + self.scale.bend);
         values.into_iter().zip(derivatives).map(|(value, slope)| Point { value, slope: slope * rate }).collect()
@@ -317,20 +324,20 @@ impl Piece {
 
     fn difference(&self, t: f64, exact: &[f64]) -> f64 {
         let mut values = vec![0.0; exact.len()];
-        interpolate(&self.nodes, &self.rows, t, &mut values);
+        interpolate(&self.nodes, &self.rows, 0, t, &mut values);
         // A branch that stays at 0 has no relative error.
         values.iter().zip(exact).filter(|(_, e)| **e != 0.0).map(|(v, e)| (v / e - 1.0).abs()).fold(0.0, maximum)
     }
 }
 
 /// Ω² over a range, ends included, evenly on the scale on which the branches of a blade with these modes at rest
-/// are smooth; none farther than `step` from the next, where they bend once per unit.
-pub fn sample(at_rest: &[Mode], (from, to): (f64, f64), step: f64) -> Vec<f64> {
+/// are smooth; none farther than `step` from the next, where they bend once per unit, but `most` in all.
+pub fn sample(at_rest: &[Mode], (from, to): (f64, f64), step: f64, most: usize) -> Vec<f64> {
     let scale = Scale::new(at_rest, to);
     let (low, high) = (scale.at(from), scale.at(to));
-    let parts = ceil((high - low) / step).clamp(1.0, MOST_SAMPLES as f64);
+    let parts = ceil((high - low) / step).min(most as f64).max(1.0);
     let at = |i: usize| scale.speed_squared(low + (high - low) * (i as f64 / parts)).min(to);
-    (0..=MOST_SAMPLES).take_while(|i| *i as f64 <= parts).map(at).collect()
+    (0..=most.max(1)).take_while(|i| *i as f64 <= parts).map(at).collect()
 }
 
 /// Curves whose modes were looked at.
@@ -354,6 +361,14 @@ struct Limit {
     pieces: usize,
     /// Multiplications of one eigenproblem.
     each: f64,
+}
+
+/// How many functions an ordinary fit may have with so much work.
+pub fn most_functions(work: f64) -> usize {
+    let cube = maximum(work, 0.0) / ((2 * LAST_DEGREE + 3) as f64 * PER_CUBE);
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative; the cast saturates")]
+    let most = pow(cube, 1.0 / 3.0) as usize;
+    most
 }
 
 fn limit(matrices: &SystemMatrices, work: f64) -> Limit {

@@ -10,6 +10,9 @@ const COINCIDENCE: f64 = 1e-9;
 /// Each stretch between two nodes of the curves is searched in so many steps.
 const STEPS: usize = 2;
 
+/// A gap whose tangents meet at this part of it does not reach 0.
+const CLEARLY: f64 = 0.5;
+
 /// A branch meets a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RayCrossing {
@@ -55,7 +58,7 @@ pub fn meet_rays(curves: &Curves, harmonics: u32) -> Rays {
                 continue;
             }
             let at = |s: f64| {
-                let point = curves.points(s)[branch];
+                let point = curves.point(branch, s);
                 gap(s, point.value, point.slope)
             };
             for root in roots(&stations, &gaps, at) {
@@ -121,6 +124,9 @@ fn within(low: Known, high: Known, at: &impl Fn(f64) -> (f64, f64), found: &mut 
         search(low, high, at, found);
         return;
     }
+    if turns_back && stays_away(low, high) {
+        return;
+    }
     let turn = turning_point(at, low.at, high.at);
     let (gap, slope) = at(turn);
     let middle = Known { at: turn, gap, slope };
@@ -129,6 +135,15 @@ fn within(low: Known, high: Known, at: &impl Fn(f64) -> (f64, f64), found: &mut 
         found.push(turn);
     }
     search(middle, high, at, found);
+}
+
+/// Whether a gap that turns back between two places clearly does not reach 0: bent towards 0 it lies beyond
+/// its tangents, which meet at a good part of the smaller gap.
+fn stays_away(low: Known, high: Known) -> bool {
+    let width = high.at - low.at;
+    let meet = (high.gap - low.gap - high.slope * width) / (low.slope - high.slope);
+    let left = (low.gap + low.slope * meet) * low.gap.signum();
+    left >= CLEARLY * low.gap.abs().min(high.gap.abs())
 }
 
 /// Adds the root between two places on either side of it, if they are.

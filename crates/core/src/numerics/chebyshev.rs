@@ -15,10 +15,12 @@ pub fn node(from: f64, to: f64, degree: usize, index: usize) -> f64 {
     }
 }
 
-/// The interpolant at `x` of functions whose values at node k are `rows[k]`, one value each.
-pub fn interpolate(nodes: &[f64], rows: &[Vec<f64>], x: f64, values: &mut [f64]) {
+/// The interpolant at `x` of functions whose values at node k are `rows[k]`, one value each; of as many of
+/// them as there are `values`, from the one with the index `first`.
+pub fn interpolate(nodes: &[f64], rows: &[Vec<f64>], first: usize, x: f64, values: &mut [f64]) {
+    let of = first..first + values.len();
     if let Some(row) = nodes.iter().position(|node| node.to_bits() == x.to_bits()).and_then(|index| rows.get(index)) {
-        values.copy_from_slice(row);
+        values.copy_from_slice(&row[of]);
         return;
     }
     let mut sum = 0.0;
@@ -26,7 +28,7 @@ pub fn interpolate(nodes: &[f64], rows: &[Vec<f64>], x: f64, values: &mut [f64])
     for (index, (node, row)) in nodes.iter().zip(rows).enumerate() {
         let weight = weight(index, nodes.len()) / (x - node);
         sum += weight;
-        values.iter_mut().zip(row).for_each(|(value, entry)| *value += weight * entry);
+        values.iter_mut().zip(&row[of.clone()]).for_each(|(value, entry)| *value += weight * entry);
     }
     for value in values {
         *value /= sum;
@@ -37,8 +39,10 @@ pub fn interpolate(nodes: &[f64], rows: &[Vec<f64>], x: f64, values: &mut [f64])
 /// digits there. Moving away costs as many: seven are right, enough to steer Newton's method.
 const NEAR_NODE: f64 = 1e-7;
 
-/// Derivatives of the interpolant at `x`, one per function, to about seven digits.
-pub fn slopes(nodes: &[f64], rows: &[Vec<f64>], x: f64, slopes: &mut [f64]) {
+/// Derivatives of the interpolant at `x`, one per function from the one with the index `function`, to about seven
+/// digits.
+pub fn slopes(nodes: &[f64], rows: &[Vec<f64>], function: usize, x: f64, slopes: &mut [f64]) {
+    let of = function..function + slopes.len();
     let (Some(first), Some(last)) = (nodes.first(), nodes.last()) else { return };
     let hair = NEAR_NODE * (last - first);
     let x = match nodes.iter().find(|node| (x - **node).abs() < hair) {
@@ -47,12 +51,16 @@ pub fn slopes(nodes: &[f64], rows: &[Vec<f64>], x: f64, slopes: &mut [f64]) {
         None => x,
     };
     let mut values = slopes.to_vec();
-    interpolate(nodes, rows, x, &mut values);
+    interpolate(nodes, rows, of.start, x, &mut values);
     let sum: f64 = nodes.iter().enumerate().map(|(index, node)| weight(index, nodes.len()) / (x - node)).sum();
     slopes.fill(0.0);
     for (index, (node, row)) in nodes.iter().zip(rows).enumerate() {
         let weight = weight(index, nodes.len()) / ((x - node) * (x - node) * sum);
-        slopes.iter_mut().zip(&values).zip(row).for_each(|((slope, value), entry)| *slope += weight * (value - entry));
+        slopes
+            .iter_mut()
+            .zip(&values)
+            .zip(&row[of.clone()])
+            .for_each(|((slope, value), entry)| *slope += weight * (value - entry));
     }
 }
 
@@ -74,8 +82,8 @@ mod tests {
         let (mut values, mut derivatives) = (vec![0.0; 2], vec![0.0; 2]);
         for i in 0..=100 {
             let x = f64::from(i) * 0.04;
-            interpolate(&nodes, &rows, x, &mut values);
-            slopes(&nodes, &rows, x, &mut derivatives);
+            interpolate(&nodes, &rows, 0, x, &mut values);
+            slopes(&nodes, &rows, 0, x, &mut derivatives);
             assert!((values[0] - 1.0 / (2.0 + x)).abs() < 1e-15, "{x}: {}", values[0]);
             assert!((values[1] - x * x).abs() < 2e-14, "{x}: {}", values[1]);
             assert!((derivatives[1] - 2.0 * x).abs() < 4e-6, "{x}: {}", derivatives[1]);
@@ -100,13 +108,13 @@ mod tests {
         let rows: Vec<Vec<f64>> = [3.0, -1.0, 0.1, 7.0, 1e9].map(|value| vec![value]).into();
         let mut value = [0.0];
         for (node, row) in nodes.iter().zip(&rows) {
-            interpolate(&nodes, &rows, *node, &mut value);
+            interpolate(&nodes, &rows, 0, *node, &mut value);
             assert_eq!(value, row[..]);
         }
         // All nodes in one place, as for a range of one speed.
-        interpolate(&[5.0; 3], &[vec![1.5], vec![1.5], vec![1.5]], 5.0, &mut value);
+        interpolate(&[5.0; 3], &[vec![1.5], vec![1.5], vec![1.5]], 0, 5.0, &mut value);
         assert_eq!(value, [1.5]);
-        slopes(&[], &[], 1.0, &mut value);
+        slopes(&[], &[], 0, 1.0, &mut value);
         assert_eq!(value, [1.5], "nothing to take a slope of");
     }
 }
