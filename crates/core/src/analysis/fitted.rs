@@ -11,7 +11,7 @@ use crate::fan::{Checked, Curves, most_functions, sample};
 use crate::fault::Faults;
 use crate::modes::Mode;
 use crate::numerics::quadrature::GaussRules;
-use crate::numerics::scalar::{is_above, maximum};
+use crate::numerics::scalar::{is_above, maximum, sqrt};
 use alloc::vec::Vec;
 
 /// Most times the functions are made anew with more speeds among those that they are found at.
@@ -136,7 +136,11 @@ impl Made {
             let squares = sample(&self.at_rest, range, FUNCTIONS_PER_BEND, MOST_SAMPLES);
             Checked { curves: None, errors: squares.into_iter().map(|s| (s, f64::INFINITY)).collect() }
         };
-        let (worst, poor) = poor(converged, errors, modes, work)?;
+        let squares: Vec<f64> = errors.iter().map(|(s, _)| *s).collect();
+        let (mut worst, poor) = poor(converged, errors, modes, work)?;
+        if last && is_above(worst, TOLERANCE) {
+            worst = maximum(worst, worst_between(converged, squares, modes, work)?);
+        }
         Ok(Some((curves, worst, poor)))
     }
 
@@ -167,7 +171,7 @@ fn poor(
     let (mut worst, mut poor) = (0.0, Vec::<f64>::new());
     for (s, _) in checked.into_iter().take(LOOKED_AT) {
         // What is left of large sums may be rounding alone.
-        let error = converged.error_at(s, count, work).map_err(|cause| super::basis::failed(converged, cause))?;
+        let error = error_at(converged, s, count, work)?;
         worst = maximum(worst, error);
         let apart = poor.iter().all(|other| (other - s).abs() > APART * other.max(s));
         if is_above(error, TOLERANCE) && apart && poor.len() < ADDED {
@@ -175,6 +179,20 @@ fn poor(
         }
     }
     Ok((worst, poor))
+}
+
+/// The largest error half way between the Ω² that were looked at: where the functions are what can be had,
+/// how good they are is to be known as well as can be.
+fn worst_between(converged: &Converged, mut squares: Vec<f64>, count: usize, work: &Work) -> Result<f64, Faults> {
+    squares.sort_by(f64::total_cmp);
+    squares.windows(2).try_fold(0.0, |worst, pair| {
+        let speed = 0.5 * (sqrt(pair[0]) + sqrt(pair[1]));
+        Ok(maximum(worst, error_at(converged, speed * speed, count, work)?))
+    })
+}
+
+fn error_at(converged: &Converged, s: f64, count: usize, work: &Work) -> Result<f64, Faults> {
+    converged.error_at(s, count, work).map_err(|cause| super::basis::failed(converged, cause))
 }
 
 #[cfg(test)]

@@ -33,6 +33,8 @@ const CHECKS: [f64; 2] = [0.013, 0.47];
 const BESIDE_REST: [f64; 3] = [0.02, 0.15, 0.5];
 /// Most pieces; the last ones are taken as they are.
 const MOST_PIECES: usize = 64;
+/// Eigenproblems of a fit, where it takes no more than one piece.
+const USUAL_EVALUATIONS: f64 = 35.0;
 /// Multiplications of an eigenproblem, by the cube of its order.
 const PER_CUBE: f64 = 5.0;
 /// Bounds of the bend of the scale as a share of the highest Ω²: outside them it is straight, or
@@ -365,7 +367,7 @@ struct Limit {
 
 /// How many functions an ordinary fit may have with so much work.
 pub fn most_functions(work: f64) -> usize {
-    let cube = maximum(work, 0.0) / ((2 * LAST_DEGREE + 3) as f64 * PER_CUBE);
+    let cube = maximum(work, 0.0) / (USUAL_EVALUATIONS * PER_CUBE);
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative; the cast saturates")]
     let most = pow(cube, 1.0 / 3.0) as usize;
     most
