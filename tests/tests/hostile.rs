@@ -93,8 +93,12 @@ impl Seen {
                     }
                     Ended::Broken(how) => vec![how],
                 };
-                let place =
-                    format!("number {number}, {}: answer {question} {file:?} {}", hostile.kind, words(&options));
+                let place = format!(
+                    "number {number}, {}: answer {question} {} {}",
+                    hostile.kind,
+                    file.display(),
+                    words(&options)
+                );
                 self.broken.extend(wrong.into_iter().map(|what| format!("{place}: {what}")));
             }
         }
