@@ -10,7 +10,6 @@ use crate::lagrange::{
     Bounds, Energies, Fields, FromTip, Grid, Reference, SystemMatrices, assemble, bounds, classical_functions, system,
 };
 use crate::modes::{self, Mode, SolveError};
-use crate::numerics::eigen::EigenError;
 use crate::numerics::quadrature::GaussRules;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -156,11 +155,6 @@ pub(super) fn converged(
 ) -> Result<Converged, Faults> {
     Converged::new(blade, dof, wanted, rules, work)
         .map_err(|cause| super::unsolvable(SolveError { dofs: system(dof).dofs, cause }))
-}
-
-/// That converged functions gave no answer.
-pub(super) fn failed(found: &Converged, cause: EigenError) -> Faults {
-    super::unsolvable(SolveError { dofs: found.matrices().dofs(), cause })
 }
 
 pub(super) fn solve(matrices: &SystemMatrices, speed: f64, count: usize) -> Result<Vec<Mode>, Faults> {

@@ -5,27 +5,26 @@ use super::Settings;
 use super::basis::{Basis, solve};
 use super::unsolvable;
 use crate::blade::Blade;
-use crate::converged::{Converged, MOST_FUNCTIONS, TOLERANCE, Wanted, Work};
+use crate::converged::{Converged, MOST_FUNCTIONS, TOLERANCE, Wanted, Work, half_way};
 use crate::dof::Dof;
-use crate::fan::{Checked, Curves, most_functions, sample};
+use crate::fan::{Curves, most_functions, sample};
 use crate::fault::Faults;
-use crate::modes::Mode;
+use crate::modes::{Mode, coordinates};
 use crate::numerics::quadrature::GaussRules;
-use crate::numerics::scalar::{is_above, maximum, sqrt};
+use crate::numerics::scalar::{is_above, maximum};
 use alloc::vec::Vec;
 
 /// Most times the functions are made anew with more speeds among those that they are found at.
 const MOST_ATTEMPTS: usize = 8;
 /// Speeds that are added at a time.
 const ADDED: usize = 6;
-/// Speeds at which what the sums of products say is looked at closely, the worst first.
-const LOOKED_AT: usize = 12;
+/// About so many modes are looked at, where there are more.
+const LOOKED_AT: usize = 8;
+/// A speed looked at before the first one between two, as a share of its Ω².
+const BESIDE_REST: f64 = 0.05;
 /// Added Ω² keep apart by this part of the larger.
 const APART: f64 = 0.05;
 
-/// With more functions the eigenproblems of a fit are solved without vectors, and the error is looked at
-/// in a few places.
-const CHECKED_EVERYWHERE: usize = 120;
 /// So far from one another stand the speeds whose modes become functions, where three are not enough; in bends
 /// of the branches.
 const FUNCTIONS_PER_BEND: f64 = 0.8;
@@ -33,11 +32,6 @@ const FUNCTIONS_PER_BEND: f64 = 0.8;
 const FEW_BENDS: usize = 4;
 /// To find more functions costs so many times what it took to find those there are.
 const AGAIN: f64 = 2.0;
-/// Most speeds at which many functions are looked at.
-const MOST_SAMPLES: usize = 40;
-/// A relative error from which on curves are not worth fitting.
-const POOR: f64 = 1e2 * TOLERANCE;
-
 /// Branches of one degree of freedom.
 pub(super) struct Fitted {
     pub(super) basis: Basis,
@@ -72,21 +66,18 @@ pub(super) fn fitted(
     for attempt in 1.. {
         let affordable = made.affordable(settings.modes, &work);
         let last = attempt == MOST_ATTEMPTS || affordable == 0;
-        let Some((checked, worst, poor)) = made.look(range, settings.modes, last, &work)? else {
-            return made.fitted(None, range, 0.0, &work);
-        };
+        let (curves, worst, poor) = made.look(range, &work)?;
         if last || poor.is_empty() {
-            return made.fitted(checked, range, worst, &work);
+            return Ok(made.fitted(curves, worst));
         }
-        work.spend(checked.map_or(0.0, |curves| curves.work()));
         also_at.extend(poor.into_iter().take(affordable));
         made = match Made::new(blade, dof, settings, highest, &also_at, rules, &work) {
             Ok(better) => better,
             // So many functions cannot be told apart from one another: those that could are the answer.
-            Err(_) => return made.fitted(None, range, worst, &work),
+            Err(_) => return Ok(made.fitted(curves, worst)),
         };
     }
-    made.fitted(None, range, 0.0, &work)
+    unreachable!("the last attempt returns")
 }
 
 /// Functions of a range of rotor speeds with their modes at rest.
@@ -122,77 +113,50 @@ impl Made {
         functions.saturating_sub(self.basis.matrices().count()) / modes.max(1)
     }
 
-    /// The curves, where they are good or `last`, the largest error, and where the functions are to be better;
-    /// nothing of the classical family, which is what it is.
-    fn look(&self, range: (f64, f64), modes: usize, last: bool, work: &Work) -> Result<Option<Look>, Faults> {
-        let Basis::Piecewise(converged) = &self.basis else { return Ok(None) };
-        let few = self.basis.matrices().count() <= CHECKED_EVERYWHERE;
-        let Checked { curves, errors } = if let Some(residuals) = converged.residuals().filter(|_| few) {
-            let error = |q: &[f64], value: f64, s: f64| residuals.error(q, value, s);
-            let poor = if last { f64::INFINITY } else { POOR };
-            Curves::fit_checked(self.basis.matrices(), &self.at_rest, range, work.left(), poor, error)
-                .map_err(unsolvable)?
-        } else {
-            let squares = sample(&self.at_rest, range, FUNCTIONS_PER_BEND, MOST_SAMPLES);
-            Checked { curves: None, errors: squares.into_iter().map(|s| (s, f64::INFINITY)).collect() }
-        };
-        let squares: Vec<f64> = errors.iter().map(|(s, _)| *s).collect();
-        let (mut worst, poor) = poor(converged, errors, modes, work)?;
-        if last && is_above(worst, TOLERANCE) {
-            worst = maximum(worst, worst_between(converged, squares, modes, work)?);
+    /// The curves, their largest error, and where the functions are to be better. Those of the paper are what
+    /// they are.
+    fn look(&self, range: (f64, f64), work: &Work) -> Result<(Curves, f64, Vec<f64>), Faults> {
+        let matrices = self.basis.matrices();
+        let curves = Curves::fit(matrices, &self.at_rest, range.0, range.1, work.left()).map_err(unsolvable)?;
+        work.spend(curves.work());
+        let Basis::Piecewise(converged) = &self.basis else { return Ok((curves, 0.0, Vec::new())) };
+        let mut errors = Vec::new();
+        for s in places(converged, range) {
+            let mut values = curves.eigenvalues(s);
+            if let Some(step) = values.len().checked_div(LOOKED_AT).filter(|step| *step > 0) {
+                // Of very many modes the last one and some others.
+                values = values.into_iter().rev().step_by(step + 1).collect();
+            }
+            let coordinates = coordinates(matrices, s, &values).map_err(unsolvable)?;
+            errors.push((s, converged.error_of(&coordinates, &values, s, work)));
         }
-        Ok(Some((curves, worst, poor)))
-    }
-
-    /// With these curves, or ones fitted now.
-    fn fitted(self, curves: Option<Curves>, range: (f64, f64), worst: f64, work: &Work) -> Result<Fitted, Faults> {
-        let Self { basis, at_rest, cost: _ } = self;
-        let curves = match curves {
-            Some(curves) => curves,
-            None => Curves::fit(basis.matrices(), &at_rest, range.0, range.1, work.left()).map_err(unsolvable)?,
-        };
-        let error = maximum(maximum(basis.error(), curves.error()), worst);
-        Ok(Fitted { basis, at_rest, curves, error })
-    }
-}
-
-/// Curves, the largest error, and where it is too large.
-type Look = (Option<Curves>, f64, Vec<f64>);
-
-/// The largest error at the Ω² that were looked at, and where the functions are to be better.
-fn poor(
-    converged: &Converged,
-    mut checked: Vec<(f64, f64)>,
-    count: usize,
-    work: &Work,
-) -> Result<(f64, Vec<f64>), Faults> {
-    checked.retain(|(_, error)| is_above(*error, TOLERANCE));
-    checked.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let (mut worst, mut poor) = (0.0, Vec::<f64>::new());
-    for (s, _) in checked.into_iter().take(LOOKED_AT) {
-        // What is left of large sums may be rounding alone.
-        let error = error_at(converged, s, count, work)?;
-        worst = maximum(worst, error);
-        let apart = poor.iter().all(|other| (other - s).abs() > APART * other.max(s));
-        if is_above(error, TOLERANCE) && apart && poor.len() < ADDED {
-            poor.push(s);
+        errors.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let worst = errors.iter().fold(0.0, |worst, (_, error)| maximum(worst, *error));
+        let mut poor = Vec::<f64>::new();
+        for (s, _) in errors.into_iter().filter(|(_, error)| is_above(*error, TOLERANCE)) {
+            if poor.len() < ADDED && poor.iter().all(|other| (other - s).abs() > APART * other.max(s)) {
+                poor.push(s);
+            }
         }
+        Ok((curves, worst, poor))
     }
-    Ok((worst, poor))
+
+    fn fitted(self, curves: Curves, worst: f64) -> Fitted {
+        let error = maximum(maximum(self.basis.error(), curves.error()), worst);
+        Fitted { basis: self.basis, at_rest: self.at_rest, curves, error }
+    }
 }
 
-/// The largest error half way between the Ω² that were looked at: where the functions are what can be had,
-/// how good they are is to be known as well as can be.
-fn worst_between(converged: &Converged, mut squares: Vec<f64>, count: usize, work: &Work) -> Result<f64, Faults> {
-    squares.sort_by(f64::total_cmp);
-    squares.windows(2).try_fold(0.0, |worst, pair| {
-        let speed = 0.5 * (sqrt(pair[0]) + sqrt(pair[1]));
-        Ok(maximum(worst, error_at(converged, speed * speed, count, work)?))
-    })
-}
-
-fn error_at(converged: &Converged, s: f64, count: usize, work: &Work) -> Result<f64, Faults> {
-    converged.error_at(s, count, work).map_err(|cause| super::basis::failed(converged, cause))
+/// The Ω² of a range at which modes are looked at: between the speeds that the functions come from, beside the
+/// beginning, where they may be worse than at any, and half way.
+fn places(converged: &Converged, (from, to): (f64, f64)) -> Vec<f64> {
+    let mut between = converged.between();
+    let first = between.first().copied().unwrap_or(to);
+    between.extend([BESIDE_REST * first, half_way(from, to)]);
+    between.retain(|s| (from..=to).contains(s) && *s > 0.0);
+    between.sort_by(f64::total_cmp);
+    between.dedup();
+    between
 }
 
 #[cfg(test)]

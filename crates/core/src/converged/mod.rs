@@ -16,10 +16,10 @@ mod work;
 use crate::blade::Blade;
 use crate::dof::Dof;
 use crate::functions::PiecewiseFunctions;
-use crate::lagrange::{Fields, FromTip, Grid, Residuals, SystemMatrices};
+use crate::lagrange::{Fields, FromTip, Grid, SystemMatrices};
 use crate::numerics::eigen::EigenError;
 use crate::numerics::quadrature::GaussRules;
-use crate::numerics::scalar::is_above;
+use crate::numerics::scalar::sqrt;
 use alloc::vec;
 use alloc::vec::Vec;
 use elements::{Elements, Factor};
@@ -50,7 +50,7 @@ const FIRST_ANCHORS: usize = 3;
 /// Most functions that may come out of a range: a chart solves dense problems of that order.
 pub const MOST_FUNCTIONS: usize = 200;
 /// Where the answer is checked besides, as shares of the range of Ω².
-const CHECKS: [f64; 2] = [1.0, 0.2];
+const CHECKS: [f64; 2] = [0.2, 1.0];
 /// How far below the last eigenvalue found the others are counted, as shares of it, one after the
 /// other until a count is certain.
 const COUNTED_BELOW: [f64; 3] = [1e-7, 1e-6, 1e-5];
@@ -64,7 +64,8 @@ pub struct Converged {
     found: Reduced,
     error: f64,
     counted: Option<f64>,
-    residuals: Option<Residuals>,
+    /// Ω² of the speeds whose modes the functions are.
+    anchors: Vec<f64>,
     from_tip: FromTip,
 }
 
@@ -113,8 +114,8 @@ impl Wanted<'_> {
 
     /// Where the answer is checked.
     fn checks(&self) -> Vec<f64> {
-        let shares = if self.is_range() { &CHECKS[..] } else { &CHECKS[..1] };
-        shares.iter().map(|share| self.share(*share)).chain(self.also_at.iter().copied()).collect()
+        let shares = if self.is_range() { &CHECKS[..] } else { &CHECKS[1..] };
+        self.also_at.iter().copied().chain(shares.iter().map(|share| self.share(*share))).collect()
     }
 }
 
@@ -209,18 +210,12 @@ impl Converged {
             work.spend(elements.effort().reduction(subspace.len(), found.matrices.count()));
             let mut error = 0.0_f64;
             let mut shares = vec![0.0; elements.mesh.orders().len()];
-            // A range is looked at through what all its speeds share, and closely where that is not enough.
-            let residuals = wanted.is_range().then(|| found.residuals(&elements, &from_tip, work));
-            let by_products = match &residuals {
-                Some(residuals) => found.error(residuals, &wanted.checks(), count, work)?,
-                None => f64::INFINITY,
-            };
-            if is_above(by_products, TOLERANCE) {
-                for s in wanted.checks() {
-                    error = error.max(found.check(&elements, s, count, &from_tip, &mut shares, work)?);
-                }
-            } else {
-                error = by_products;
+            // The last one is at the end of the range, where the modes are counted, too.
+            let mut values = Vec::new();
+            for s in wanted.checks() {
+                let own;
+                (own, values) = found.check(&elements, s, count, &from_tip, &mut shares, work)?;
+                error = error.max(own);
             }
             let helped = error <= WORTHWHILE * last && !subspace.is_exhausted();
             let many = count * ANCHORS.len() > MOST_FUNCTIONS;
@@ -230,7 +225,7 @@ impl Converged {
             } else if error <= TOLERANCE || !helped {
                 // Where neither iterating on nor more speeds help, the elements are to blame, unless a
                 // mode was missed.
-                let counted = if counts { found.counted(&elements, start, count, error, work)? } else { None };
+                let counted = if counts { counted(&elements, &values, wanted.range.1, error, work) } else { None };
                 let again = counts && counted.is_none() && !subspace.is_exhausted();
                 if let Some(loaded) = loads.next().filter(|_| again) {
                     subspace.push_loads(&factor, *loaded);
@@ -238,7 +233,7 @@ impl Converged {
                     continue;
                 }
                 drop(subspace);
-                return Ok((Self { elements, found, error, counted, residuals, from_tip }, shares));
+                return Ok((Self { elements, found, error, counted, anchors, from_tip }, shares));
             } else {
                 last = error;
             }
@@ -259,18 +254,19 @@ impl Converged {
         count::below(&self.elements, eigenvalue, speed_squared)
     }
 
-    /// The largest relative error of the `count` lowest eigenvalues at one Ω².
-    ///
-    /// # Errors
-    /// [`EigenError`].
-    pub fn error_at(&self, speed_squared: f64, count: usize, work: &Work) -> Result<f64, EigenError> {
-        let mut shares = vec![0.0; self.elements.mesh.orders().len()];
-        self.found.check(&self.elements, speed_squared, count, &self.from_tip, &mut shares, work)
+    /// The largest relative error of the eigenvalues `values` of modes with these coordinates (one column each)
+    /// at Ω² = `speed_squared`.
+    pub fn error_of(&self, coordinates: &DMatrix<f64>, values: &[f64], speed_squared: f64, work: &Work) -> f64 {
+        work.spend(self.elements.effort().moments(self.found.matrices.count(), values.len()));
+        self.found.error_of(&self.elements, coordinates, values, speed_squared, &self.from_tip)
     }
 
-    /// How good any mode within these functions is, at any speed; of a range.
-    pub fn residuals(&self) -> Option<&Residuals> {
-        self.residuals.as_ref()
+    /// The Ω² half way, in rotor speed, between those whose modes the functions are.
+    pub fn between(&self) -> Vec<f64> {
+        let mut anchors = self.anchors.clone();
+        anchors.sort_by(f64::total_cmp);
+        anchors.dedup();
+        anchors.windows(2).map(|pair| half_way(pair[0], pair[1])).collect()
     }
 
     /// Integration from the tip over [`grid`](Self::grid).
@@ -310,6 +306,29 @@ impl Converged {
         let mesh = self.elements.mesh.clone();
         PiecewiseFunctions::new(mesh, deformation, self.elements.root_rotates(), self.found.coefficients.clone())
     }
+}
+
+/// The Ω² half way in rotor speed between two.
+pub fn half_way(from: f64, to: f64) -> f64 {
+    let speed = 0.5 * (sqrt(from) + sqrt(to));
+    speed * speed
+}
+
+/// How far below the last of the eigenvalues found at Ω² = `s` (without the shift of lag), as a share of it, as
+/// many were counted as were found. The share allows for their relative error.
+fn counted(elements: &Elements, found: &[f64], s: f64, error: f64, work: &Work) -> Option<f64> {
+    let Some(last) = found.last().filter(|last| **last > 0.0) else { return Some(0.0) };
+    let shift = elements.grid().system().shift(s);
+    for share in COUNTED_BELOW {
+        let share = share.max(10.0 * error);
+        let below = last * (1.0 - share);
+        work.spend(elements.effort().count);
+        if let Some(counted) = count::below(elements, below - shift, s) {
+            let same = counted == found.iter().filter(|value| **value < below).count();
+            return same.then_some(share);
+        }
+    }
+    None
 }
 
 /// Rounds of inverse iteration at Ω² = `s`, until what they add is less than `settled` of the modes.

@@ -3,8 +3,7 @@
 use super::elements::Elements;
 use super::subspace::Subspace;
 use super::work::{Effort, Work};
-use super::{COUNTED_BELOW, count};
-use crate::lagrange::{Fields, FromTip, Residuals, SystemMatrices, assemble, residual_moments};
+use crate::lagrange::{Fields, FromTip, SystemMatrices, assemble, residual_moments};
 use crate::numerics::eigen::{EigenError, lowest};
 use crate::numerics::scalar::{maximum, sqrt};
 use alloc::vec;
@@ -47,8 +46,8 @@ impl Reduced {
         Ok(Self { coefficients: subspace.coefficients(&clamped), matrices })
     }
 
-    /// The largest relative error of an eigenvalue at Ω² = `s`; raises the share of each element to
-    /// the largest error that it is to blame for.
+    /// The largest relative error of the `count` lowest eigenvalues at Ω² = `s`, and these, in lag with the
+    /// shift; raises the share of each element to the largest error that it is to blame for.
     pub(super) fn check(
         &self,
         elements: &Elements,
@@ -57,15 +56,16 @@ impl Reduced {
         from_tip: &FromTip,
         shares: &mut [f64],
         work: &Work,
-    ) -> Result<f64, EigenError> {
-        work.spend(elements.effort().check(self.matrices.count(), count));
+    ) -> Result<(f64, Vec<f64>), EigenError> {
+        let n = self.matrices.count();
+        work.spend(Effort::modes(n) + elements.effort().moments(n, count));
         let grid = elements.fine_grid();
         let shift = grid.system().shift(s);
         let g = self.matrices.stiffness() + self.matrices.centrifugal() * s + self.matrices.mass() * shift;
         let found = lowest(&g, self.matrices.mass(), count)?;
         let rigid = found.values.iter().take_while(|value| **value == 0.0).count();
-        let residuals =
-            residual_moments(grid, from_tip, &self.fields(elements, &found.vectors), &found.values, rigid, s);
+        let fields = self.fields(elements, &found.vectors);
+        let residuals = residual_moments(grid, from_tip, &fields, &found.values, rigid, s);
         let energies = residuals.energies(grid);
         let mut error = 0.0_f64;
         for (mode, value) in found.values.iter().enumerate().skip(rigid) {
@@ -79,60 +79,25 @@ impl Reduced {
                 *share = share.max(own * value);
             }
         }
-        Ok(error)
+        Ok((error, found.values))
     }
 
-    /// The residual moments of all sums of the functions.
-    pub(super) fn residuals(&self, elements: &Elements, from_tip: &FromTip, work: &Work) -> Residuals {
-        let n = self.matrices.count();
-        work.spend(elements.effort().residuals(n));
-        Residuals::new(elements.fine_grid(), from_tip, &self.fields(elements, &DMatrix::identity(n, n)))
-    }
-
-    /// The largest relative error of the `count` lowest eigenvalues at some Ω².
-    pub(super) fn error(
-        &self,
-        residuals: &Residuals,
-        squares: &[f64],
-        count: usize,
-        work: &Work,
-    ) -> Result<f64, EigenError> {
-        work.spend(squares.len() as f64 * Effort::modes(self.matrices.count()));
-        let mut worst = 0.0;
-        for &s in squares {
-            let g = self.matrices.stiffness() + self.matrices.centrifugal() * s;
-            let found = lowest(&g, self.matrices.mass(), count)?;
-            for (q, value) in found.vectors.column_iter().zip(&found.values) {
-                worst = maximum(worst, residuals.error(q.as_slice(), *value, s));
-            }
-        }
-        Ok(worst)
-    }
-
-    /// How far below the last of the `count` eigenvalues found at Ω² = `s`, as a share of it, as many
-    /// were counted as were found. The share allows for their relative error.
-    pub(super) fn counted(
+    /// The largest relative error of modes at Ω² = `s` that were found elsewhere.
+    pub(super) fn error_of(
         &self,
         elements: &Elements,
+        coordinates: &DMatrix<f64>,
+        values: &[f64],
         s: f64,
-        count: usize,
-        error: f64,
-        work: &Work,
-    ) -> Result<Option<f64>, EigenError> {
-        work.spend(Effort::modes(self.matrices.count()) + elements.effort().count);
-        let shift = elements.grid().system().shift(s);
-        let g = self.matrices.stiffness() + self.matrices.centrifugal() * s + self.matrices.mass() * shift;
-        let found = lowest(&g, self.matrices.mass(), count)?.values;
-        let Some(last) = found.last().filter(|last| **last > 0.0) else { return Ok(Some(0.0)) };
-        for share in COUNTED_BELOW {
-            let share = share.max(10.0 * error);
-            let below = last * (1.0 - share);
-            if let Some(counted) = count::below(elements, below - shift, s) {
-                let same = counted == found.iter().filter(|value| **value < below).count();
-                return Ok(same.then_some(share));
-            }
-        }
-        Ok(None)
+        from_tip: &FromTip,
+    ) -> f64 {
+        let grid = elements.fine_grid();
+        let shift = grid.system().shift(s);
+        let shifted: Vec<f64> = values.iter().map(|value| value + shift).collect();
+        let rigid = shifted.iter().take_while(|value| **value == 0.0).count();
+        let fields = self.fields(elements, coordinates);
+        let own = residual_moments(grid, from_tip, &fields, &shifted, rigid, s).own_energies(grid);
+        own.iter().zip(&shifted).skip(rigid).fold(0.0, |worst, (energy, value)| maximum(worst, energy * value))
     }
 
     /// What sums of the functions that came out (columns of `coordinates`) do along the span.
@@ -220,7 +185,7 @@ mod tests {
         let elements = &found.elements;
         let from_tip = FromTip::new(elements.fine_grid(), &rules);
         let mut shares = vec![0.0; elements.mesh.orders().len()];
-        let error = found.found.check(elements, 1e4, 1, &from_tip, &mut shares, &Work::default()).unwrap();
+        let (error, _) = found.found.check(elements, 1e4, 1, &from_tip, &mut shares, &Work::default()).unwrap();
         let sum: f64 = shares.iter().sum();
         assert!(error > 1e-12 && (sum / error - 1.0).abs() < 1e-12, "{error:e} {sum:e}");
         // A share that is larger already stays.

@@ -105,8 +105,8 @@ impl<'a> Subspace<'a> {
         let (anchors, most) = self.most;
         let few = most.min(self.len());
         let effort = self.elements.effort();
-        let checks = Effort::modes(few) * anchors as f64;
-        anchors as f64 * Effort::modes(self.len()) + effort.reduction(self.len(), few) + effort.residuals(few) + checks
+        let check = Effort::modes(few) + effort.moments(few, most / anchors);
+        anchors as f64 * (Effort::modes(self.len()) + check) + effort.reduction(self.len(), few)
     }
 
     /// The first vectors: the static shape of a rotated root, the response to the inertia of a motion

@@ -52,7 +52,7 @@ pub(super) struct Effort {
     /// The displacement of a function at the points of the grid.
     displacement: f64,
     /// The fields of a function at the points of the fine grid, and their moments.
-    moments: f64,
+    fields: f64,
 }
 
 impl Effort {
@@ -66,7 +66,7 @@ impl Effort {
             factor: sum(&|b| b * b * (b + 10.0)),
             count: sum(&|b| (b + 2.0) * (b + 2.0) * (2.0 * b + 5.0)),
             displacement: sum(&|b| b * (b + 2.0)),
-            moments: sum(&|b| (b + 5.0) * (7.0 * b + 10.0)),
+            fields: sum(&|b| (b + 5.0) * (7.0 * b + 10.0)),
         }
     }
 
@@ -86,16 +86,10 @@ impl Effort {
         (many * few) as f64 * (self.unknowns + 3.0 * many as f64)
     }
 
-    /// The products of the residual moments of so many functions.
-    pub(super) fn residuals(&self, functions: usize) -> f64 {
-        let n = functions as f64;
-        n * (n * self.unknowns + self.moments) + 4.5 * n * n * self.points
-    }
-
     /// The residual moments of so many modes, as sums of functions.
-    pub(super) fn check(&self, functions: usize, modes: usize) -> f64 {
+    pub(super) fn moments(&self, functions: usize, modes: usize) -> f64 {
         let (n, m) = (functions as f64, modes as f64);
-        Self::modes(functions) + m * (n * self.unknowns + self.moments + m * self.points)
+        m * (n * self.unknowns + self.fields + m * self.points)
     }
 }
 

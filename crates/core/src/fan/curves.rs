@@ -10,12 +10,12 @@
 //! in ln(1 + Ω²/bend) with the nearest such point as the bend: it moves that point far away.
 
 use crate::lagrange::SystemMatrices;
-use crate::modes::{Mode, SolveError, coordinates, eigenvalues};
+use crate::modes::{Mode, SolveError, eigenvalues};
 use crate::numerics::chebyshev::{interpolate, node, slopes};
 use crate::numerics::scalar::{ceil, exp_m1, is_above, ln_1p, maximum, pow};
 use alloc::vec;
 use alloc::vec::Vec;
-use core::cell::{Cell, RefCell};
+use core::cell::Cell;
 
 /// Relative error of λ accepted between the nodes; ω has half of it.
 const TOLERANCE: f64 = 1e-10;
@@ -29,8 +29,6 @@ const FIRST_DEGREE: usize = 4;
 const LAST_DEGREE: usize = 32;
 /// Where the error is checked, as shares of the piece: between the nodes of every degree.
 const CHECKS: [f64; 2] = [0.013, 0.47];
-/// Where modes are looked at before the first node, as shares of the way to it.
-const BESIDE_REST: [f64; 3] = [0.02, 0.15, 0.5];
 /// Most pieces; the last ones are taken as they are.
 const MOST_PIECES: usize = 64;
 /// Eigenproblems of a fit, where it takes no more than one piece.
@@ -106,62 +104,6 @@ impl Curves {
         let rigid = !matrices.rigid().is_empty();
         let row = |s: f64| row(at_rest, s, rigid, || eigenvalues(matrices, s, at_rest.len()));
         Self::through(at_rest.len(), rigid, Scale::new(at_rest, to), (from, to), limit(matrices, work), row)
-    }
-
-    /// The same with `error`, the relative error of a mode (its coordinates, its eigenvalue, Ω²), looked at
-    /// where the curves are solved for on the first pass over the range, and beside its beginning.
-    ///
-    /// # Errors
-    /// [`SolveError`].
-    pub fn fit_checked(
-        matrices: &SystemMatrices,
-        at_rest: &[Mode],
-        (from, to): (f64, f64),
-        work: f64,
-        poor: f64,
-        error: impl Fn(&[f64], f64, f64) -> f64,
-    ) -> Result<Checked, SolveError> {
-        let rigid = !matrices.rigid().is_empty();
-        let at = |mode: &Mode| error(mode.coordinates.as_slice(), mode.eigenvalue, 0.0);
-        let errors = RefCell::new(vec![(0.0, at_rest.iter().map(at).fold(0.0, maximum))]);
-        let look = |s: f64, values: &[f64]| -> Result<(), SolveError> {
-            let vectors = coordinates(matrices, s, values)?;
-            let each = vectors.column_iter().zip(values).map(|(q, value)| error(q.as_slice(), *value, s));
-            errors.borrow_mut().push((s, each.fold(0.0, maximum)));
-            Ok(())
-        };
-        let solved = Cell::new(0_usize);
-        let row = |s: f64| {
-            let is_poor = |errors: &[(f64, f64)]| errors.iter().any(|(_, error)| is_above(*error, poor));
-            if solved.get() > 2 * FIRST_DEGREE && is_poor(&errors.borrow()) {
-                return Err(Stop::Poor);
-            }
-            row(at_rest, s, rigid, || {
-                let values = eigenvalues(matrices, s, at_rest.len())?;
-                solved.set(solved.get() + 1);
-                if solved.get() <= 2 * FIRST_DEGREE {
-                    look(s, &values)?;
-                }
-                Ok(values)
-            })
-            .map_err(Stop::Solve)
-        };
-        let scale = Scale::new(at_rest, to);
-        // Rest is among the speeds that the functions come from. Beside it, before the first node, they may
-        // be worse than at any.
-        let first = scale.speed_squared(node(scale.at(from), scale.at(to), 2 * FIRST_DEGREE, 1));
-        for share in BESIDE_REST {
-            let s = from + share * (first - from);
-            if s > 0.0 {
-                look(s, &eigenvalues(matrices, s, at_rest.len())?)?;
-            }
-        }
-        let curves = match Self::through(at_rest.len(), rigid, scale, (from, to), limit(matrices, work), row) {
-            Ok(curves) => Some(curves),
-            Err(Stop::Poor) => None,
-            Err(Stop::Solve(error)) => return Err(error),
-        };
-        Ok(Checked { curves, errors: errors.into_inner() })
     }
 
     /// Curves through what `row` gives at any Ω²: a number for each branch.
@@ -340,21 +282,6 @@ pub fn sample(at_rest: &[Mode], (from, to): (f64, f64), step: f64, most: usize) 
     let parts = ceil((high - low) / step).min(most as f64).max(1.0);
     let at = |i: usize| scale.speed_squared(low + (high - low) * (i as f64 / parts)).min(to);
     (0..=most.max(1)).take_while(|i| *i as f64 <= parts).map(at).collect()
-}
-
-/// Curves whose modes were looked at.
-#[derive(Clone, Debug)]
-pub struct Checked {
-    /// The curves; none where a mode was poor, as soon as the range had been seen once.
-    pub curves: Option<Curves>,
-    /// Ω² and the largest error there.
-    pub errors: Vec<(f64, f64)>,
-}
-
-/// Why a fit ends before its end.
-enum Stop {
-    Poor,
-    Solve(SolveError),
 }
 
 /// What a fit may take.

@@ -5,5 +5,5 @@ mod curves;
 mod rays;
 
 pub use between::between;
-pub use curves::{Checked, Curves, most_functions, sample};
+pub use curves::{Curves, most_functions, sample};
 pub use rays::meet_rays;

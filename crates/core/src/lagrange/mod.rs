@@ -17,7 +17,7 @@ pub use classical::{classical_functions, torsion_norm};
 pub use equilibrium::{FromTip, ShapeTables, tabulate};
 pub use fields::Fields;
 pub use grid::{Grid, Panel};
-pub use residual::{Residuals, residual_moments};
+pub use residual::residual_moments;
 pub(crate) use segments::{segments, taper_cuts};
 pub use terms::{Energy, Field, Quantity};
 pub use uncoupled::system;

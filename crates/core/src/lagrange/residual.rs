@@ -6,11 +6,9 @@ use super::equilibrium::FromTip;
 use super::fields::{Fields, gram};
 use super::grid::Grid;
 use crate::blade::RootCondition;
-use crate::numerics::scalar::sqrt;
-use crate::numerics::vector::dot;
 use alloc::vec;
 use alloc::vec::Vec;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVectorView};
 
 /// Residual moments of some modes, per unit of ω²-fold displacement.
 #[derive(Clone, Debug)]
@@ -83,81 +81,19 @@ impl ResidualMoments {
         let compliance = grid.weight().iter().zip(grid.elastic()).map(|(weight, d)| weight / d);
         gram(&self.moment, compliance) + &self.root
     }
+
+    /// The energy of each mode by itself: the diagonal of [`energies`](Self::energies).
+    pub fn own_energies(&self, grid: &Grid) -> Vec<f64> {
+        let own = |(mode, column): (usize, DVectorView<f64>)| {
+            let points = column.iter().zip(grid.weight().iter().zip(grid.elastic()));
+            points.map(|(moment, (weight, d))| moment * moment * weight / d).sum::<f64>() + self.root[(mode, mode)]
+        };
+        self.moment.column_iter().enumerate().map(own).collect()
+    }
 }
 
 fn outer(values: &[f64], factor: f64) -> DMatrix<f64> {
     DMatrix::from_fn(values.len(), values.len(), |i, j| factor * values[i] * values[j])
-}
-
-/// The residual moments of all sums of some functions at every speed: a sum with the coordinates x
-/// and the eigenvalue λ has the residual moment λ μ_M x − Ω² μ_C x − D e x, and none of the three
-/// fields depends on the speed, so their products are summed once.
-#[derive(Clone, Debug)]
-pub struct Residuals {
-    /// Complementary energies between the fields of μ_M, then μ_C, then D e.
-    products: DMatrix<f64>,
-    shift: f64,
-}
-
-impl Residuals {
-    /// Of functions that stand at the points of a grid.
-    pub fn new(grid: &Grid, from_tip: &FromTip, fields: &Fields) -> Self {
-        let (points, n) = (grid.len(), fields.displacement.ncols());
-        let compliance: Vec<f64> = grid.weight().iter().zip(grid.elastic()).map(|(w, d)| sqrt(w / d)).collect();
-        let at_root = match grid.condition() {
-            RootCondition::Spring(spring) => Some(spring),
-            // A clamped root takes any moment, and none reaches a free one: the rigid motion is among
-            // the functions.
-            RootCondition::Clamped | RootCondition::Free => None,
-        };
-        let rows = points + usize::from(at_root.is_some());
-        let mut all = DMatrix::zeros(rows, 3 * n);
-        let (mut load, mut sum) = (vec![0.0; points], vec![0.0; points]);
-        for j in 0..n {
-            let mut store = |block: usize, moment: &[f64], root: f64| {
-                let mut column = all.column_mut(block * n + j);
-                column.iter_mut().zip(moment).zip(&compliance).for_each(|((out, m), c)| *out = m * c);
-                if let Some(spring) = at_root {
-                    column[points] = root / sqrt(spring);
-                }
-            };
-            from_tip.inertial_load(grid, fields.displacement.column(j).as_slice(), &mut load, &mut sum);
-            let root = from_tip.integrate(grid, &load, &mut sum);
-            store(0, &sum, root);
-            load.iter_mut()
-                .zip(grid.centrifugal())
-                .zip(fields.rotation.column(j).iter())
-                .for_each(|((load, p), t)| *load = p * t);
-            let root = from_tip.integrate(grid, &load, &mut sum);
-            store(1, &sum, root);
-            sum.iter_mut()
-                .zip(grid.elastic())
-                .zip(fields.strain.column(j).iter())
-                .for_each(|((out, d), e)| *out = d * e);
-            store(2, &sum, at_root.map_or(0.0, |spring| spring * fields.root_rotation[j]));
-        }
-        let product = |i: usize, j: usize| dot(all.column(i).as_slice(), all.column(j).as_slice());
-        let mut products = DMatrix::from_fn(3 * n, 3 * n, |i, j| if i < j { 0.0 } else { product(i, j) });
-        products.fill_upper_triangle_with_lower_triangle();
-        Self { products, shift: grid.system().shift(1.0) }
-    }
-
-    /// About the relative error of a mode's eigenvalue at Ω² = `speed_squared`; 0 for a rigid mode.
-    pub fn error(&self, coordinates: &[f64], eigenvalue: f64, speed_squared: f64) -> f64 {
-        let eigenvalue = eigenvalue + self.shift * speed_squared;
-        if eigenvalue == 0.0 {
-            return 0.0;
-        }
-        let n = coordinates.len();
-        let mut y = vec![0.0; 3 * n];
-        for (j, x) in coordinates.iter().enumerate() {
-            (y[j], y[n + j], y[2 * n + j]) = (eigenvalue * x, -speed_squared * x, -x);
-        }
-        let energy: f64 =
-            y.iter().enumerate().map(|(j, value)| value * dot(self.products.column(j).as_slice(), &y)).sum();
-        // The rounding of what is left of large numbers may be below 0.
-        (energy / eigenvalue).abs()
-    }
 }
 
 #[cfg(test)]
@@ -165,9 +101,8 @@ mod tests {
     use super::*;
     use crate::blade::Blade;
     use crate::dof::Dof;
-    use crate::lagrange::tests::{cantilever, clamped, free, sprung};
-    use crate::lagrange::{Energies, assemble, classical_functions};
-    use crate::modes::solve;
+    use crate::lagrange::classical_functions;
+    use crate::lagrange::tests::{cantilever, clamped, sprung};
     use crate::numerics::quadrature::GaussRules;
 
     /// The grid, integration and fields of the uniform blade's own functions, with points enough to
@@ -179,44 +114,6 @@ mod tests {
         let fields = Fields::sample(&grid, functions.as_ref());
         let from_tip = FromTip::new(&grid, &rules);
         (grid, from_tip, fields)
-    }
-
-    /// The sums of products against the fields of each mode. At rest the functions are the modes, and
-    /// what is left of sums of size 1 over some hundred points is rounding; at speed both see the
-    /// same errors.
-    #[test]
-    fn products_say_the_same_as_the_fields() {
-        for blade in [clamped(0.2), free(0.2), sprung(0.2)] {
-            for dof in Dof::ALL {
-                let (grid, from_tip, fields) = classical(&blade, dof, 5);
-                let rigid_motion = blade.root(dof).condition == RootCondition::Free;
-                let matrices = assemble(&grid, Energies::new(&grid, &fields), rigid_motion);
-                let products = Residuals::new(&grid, &from_tip, &fields);
-                for speed in [0.0, 4.0, 15.0] {
-                    let square = speed * speed;
-                    let modes = solve(&matrices, square, 3).unwrap();
-                    let shift = grid.system().shift(square);
-                    let values: Vec<f64> = modes.iter().map(|mode| mode.eigenvalue + shift).collect();
-                    let rigid = values.iter().take_while(|value| **value == 0.0).count();
-                    let q = DMatrix::from_fn(5, 3, |i, j| modes[j].coordinates[i]);
-                    let moments = residual_moments(&grid, &from_tip, &fields.combined(&q), &values, rigid, square);
-                    let energies = moments.energies(&grid);
-                    for (i, mode) in modes.iter().enumerate() {
-                        let found = products.error(mode.coordinates.as_slice(), mode.eigenvalue, square);
-                        let known = if i < rigid { 0.0 } else { energies[(i, i)] * values[i] };
-                        let condition = blade.root(dof).condition;
-                        assert!(
-                            (found - known).abs() < 1e-11 + 1e-9 * known,
-                            "{dof} {condition:?} at {speed}, mode {i}: {found:e} {known:e}"
-                        );
-                        assert!(
-                            speed < 15.0 || dof == Dof::Torsion || i < 1 || known > 1e-8,
-                            "{dof}: something to see"
-                        );
-                    }
-                }
-            }
-        }
     }
 
     /// Rounding of 1e-13 of the moment or less, squared.
@@ -242,6 +139,17 @@ mod tests {
             let energies = residual_moments(&grid, &from_tip, &wrong, &[first], 0, 0.0).energies(&grid);
             let known = share * share * second * (1.0 / second - 1.0 / first).powi(2);
             assert!((energies[(0, 0)] / known - 1.0).abs() < 1e-9, "{share}: {} {known}", energies[(0, 0)]);
+        }
+    }
+
+    /// The same sums one by one, at a spring, too: a few roundings.
+    #[test]
+    fn own_energies_are_the_diagonal() {
+        let (grid, from_tip, fields) = classical(&sprung(0.2), Dof::Flap, 3);
+        let moments = residual_moments(&grid, &from_tip, &fields, &[40.0, 700.0, 9000.0], 0, 25.0);
+        let energies = moments.energies(&grid);
+        for (mode, own) in moments.own_energies(&grid).iter().enumerate() {
+            assert!(*own > 0.0 && (own / energies[(mode, mode)] - 1.0).abs() < 1e-14, "{mode}: {own}");
         }
     }
 }
