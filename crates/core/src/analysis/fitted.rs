@@ -31,7 +31,7 @@ const FUNCTIONS_PER_BEND: f64 = 0.8;
 /// So many such speeds the usual three are a match for.
 const FEW_BENDS: usize = 4;
 /// To find more functions costs so many times what it took to find those there are.
-const AGAIN: f64 = 2.0;
+const AGAIN: f64 = 1.2;
 /// Branches of one degree of freedom.
 pub(super) struct Fitted {
     pub(super) basis: Basis,

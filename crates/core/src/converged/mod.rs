@@ -37,6 +37,8 @@ const MOST_ROUNDS: usize = 8;
 /// Inverse iteration ends when the share of its vectors that is new falls below this; the error of
 /// an eigenvalue is then below the square of it.
 const SETTLED: f64 = 1e-3;
+/// The same where the iteration is not taken up again.
+const SETTLED_AT_ONCE: f64 = 1e-5;
 /// Iterating on is worthwhile while it leaves less than this of the error.
 const WORTHWHILE: f64 = 0.3;
 /// Another round costs this much of the last one.
@@ -47,6 +49,8 @@ const MOST_ITERATIONS: usize = 8;
 const ANCHORS: [f64; 6] = [0.5, 0.0, 1.0, 0.25, 0.75, 0.06];
 /// So many of them at first.
 const FIRST_ANCHORS: usize = 3;
+/// A few more speeds make nothing of an error above this.
+const TOO_WIDE: f64 = 1e-5;
 /// Most functions that may come out of a range: a chart solves dense problems of that order.
 pub const MOST_FUNCTIONS: usize = 200;
 /// Where the answer is checked besides, as shares of the range of Ω².
@@ -90,6 +94,11 @@ impl Wanted<'_> {
         self.range.1 > self.range.0
     }
 
+    /// Whether an error is so large that the modes are to be sought at many more speeds.
+    fn is_too_wide(&self, error: f64) -> bool {
+        self.is_range() && self.also_at.is_empty() && error > TOO_WIDE
+    }
+
     /// How many anchors and functions there may be in the end.
     fn most(&self) -> (usize, usize) {
         let anchors = self.anchors(true).len();
@@ -115,7 +124,9 @@ impl Wanted<'_> {
     /// Where the answer is checked.
     fn checks(&self) -> Vec<f64> {
         let shares = if self.is_range() { &CHECKS[..] } else { &CHECKS[1..] };
-        self.also_at.iter().copied().chain(shares.iter().map(|share| self.share(*share))).collect()
+        // Modes at the further speeds turn no faster than those at the end.
+        let further = self.also_at.iter().copied().step_by(self.also_at.len() / 4 + 1);
+        further.chain(shares.iter().map(|share| self.share(*share))).collect()
     }
 }
 
@@ -131,7 +142,12 @@ impl Converged {
             let before = work.left();
             let elements = Elements::new(blade, dof, &layout, rules);
             work.spend(elements.effort().setup);
-            let (mut found, shares) = match Self::on(elements, wanted, rules, true, work) {
+            let made = if wanted.also_at.is_empty() {
+                Self::on(elements, wanted, rules, true, work)
+            } else {
+                Self::at_each(elements, wanted, rules, work)
+            };
+            let (mut found, shares) = match made {
                 Ok(found) => found,
                 // A coarser answer is better than none.
                 Err(_) if last.is_some() => break,
@@ -146,7 +162,7 @@ impl Converged {
             if last.as_ref().is_none_or(|last| error < last.error) {
                 last = Some(found);
             }
-            let idle = wanted.is_range() && !helped;
+            let idle = wanted.is_range() && (!helped || wanted.is_too_wide(error));
             let affordable = ONCE_MORE * (before - work.left()) < work.left();
             if error <= TOLERANCE || idle || !affordable || !raise(&mut layout, &shares) {
                 break;
@@ -219,7 +235,8 @@ impl Converged {
             }
             let helped = error <= WORTHWHILE * last && !subspace.is_exhausted();
             let many = count * ANCHORS.len() > MOST_FUNCTIONS;
-            if error > TOLERANCE && !helped && wanted.is_range() && !widened && !many && !subspace.is_exhausted() {
+            let wider = wanted.is_range() && !wanted.is_too_wide(error) && !widened && !many;
+            if error > TOLERANCE && !helped && wider && !subspace.is_exhausted() {
                 (anchors, widened) = (wanted.anchors(true), true);
                 last = f64::INFINITY;
             } else if error <= TOLERANCE || !helped {
@@ -238,6 +255,58 @@ impl Converged {
                 last = error;
             }
             settled *= 0.01;
+        }
+    }
+
+    /// The same where many speeds are wanted: the modes of each are found by themselves, in time proportional to
+    /// the number of speeds.
+    fn at_each(
+        elements: Elements,
+        wanted: &Wanted,
+        rules: &GaussRules,
+        work: &Work,
+    ) -> Result<(Self, Vec<f64>), EigenError> {
+        let mut anchors = wanted.anchors(false);
+        anchors.sort_by(f64::total_cmp);
+        anchors.dedup();
+        let from_tip = FromTip::new(elements.fine_grid(), rules);
+        let mut loads = LOADED_ELEMENTS.iter();
+        let mut loaded = None;
+        loop {
+            let mut modes = Vec::new();
+            for &s in &anchors {
+                let factor = elements.factor(s).ok_or(EigenError::NotPositiveDefinite)?;
+                work.spend(elements.effort().factor);
+                let mut subspace = Subspace::new(&elements, s, &Wanted::at(s, wanted.count), work);
+                subspace.start(&factor, s, 2 * wanted.count + 2);
+                if let Some(loaded) = loaded {
+                    subspace.push_loads(&factor, loaded);
+                }
+                iterate(&mut subspace, &factor, s, wanted.count, SETTLED_AT_ONCE)?;
+                modes.append(&mut subspace.modes(s, wanted.count)?);
+            }
+            let middle = anchors[anchors.len() / 2];
+            let mut all = Subspace::new(&elements, middle, &Wanted::at(middle, modes.len()), work);
+            for mode in modes {
+                all.push(mode);
+            }
+            let found = Reduced::whole(&elements, &all);
+            let (mut error, mut values) = (0.0_f64, Vec::new());
+            let mut shares = vec![0.0; elements.mesh.orders().len()];
+            for s in wanted.checks() {
+                let own;
+                (own, values) = found.check(&elements, s, wanted.count, &from_tip, &mut shares, work)?;
+                error = error.max(own);
+            }
+            let counted = counted(&elements, &values, wanted.range.1, error, work);
+            if counted.is_none() && work.left() > 0.0 {
+                loaded = loads.next().copied();
+                if loaded.is_some() {
+                    continue;
+                }
+            }
+            drop(all);
+            return Ok((Self { elements, found, error, counted, anchors, from_tip }, shares));
         }
     }
 

@@ -46,6 +46,14 @@ impl Reduced {
         Ok(Self { coefficients: subspace.coefficients(&clamped), matrices })
     }
 
+    /// All functions of a subspace.
+    pub(super) fn whole(elements: &Elements, subspace: &Subspace) -> Self {
+        let rigid = usize::from(elements.root_rotates());
+        let n = subspace.len();
+        let matrices = assemble(elements.grid(), subspace.energies(), rigid == 1);
+        Self { coefficients: subspace.coefficients(&DMatrix::identity(n - rigid, n - rigid)), matrices }
+    }
+
     /// The largest relative error of the `count` lowest eigenvalues at Ω² = `s`, and these, in lag with the
     /// shift; raises the share of each element to the largest error that it is to blame for.
     pub(super) fn check(

@@ -188,7 +188,7 @@ impl<'a> Subspace<'a> {
 
     /// Adds a clamped function, less what the others have of it; returns the share that was new, 0
     /// where it was too little to add.
-    fn push(&mut self, mut coefficients: Vec<f64>) -> f64 {
+    pub(super) fn push(&mut self, mut coefficients: Vec<f64>) -> f64 {
         let mut share = 1.0;
         loop {
             self.work.spend(self.elements.effort().function(self.len()));
@@ -237,6 +237,13 @@ impl<'a> Subspace<'a> {
         }
         self.work.spend(Effort::modes(self.len()));
         lowest(&g, &m, count)
+    }
+
+    /// The clamped strain coefficients of the `count` lowest modes within the subspace.
+    pub(super) fn modes(&self, speed_squared: f64, count: usize) -> Result<Vec<Vec<f64>>, EigenError> {
+        let vectors = self.ritz(speed_squared, count)?.vectors;
+        let clamped = vectors.rows(self.rigid, self.len() - self.rigid).into_owned();
+        Ok(self.coefficients(&clamped).column_iter().map(|column| column.iter().copied().collect()).collect())
     }
 
     /// The displacement of a sum of the functions at the points of the grid.
