@@ -10,7 +10,7 @@
 //! in ln(1 + Ω²/bend) with the nearest such point as the bend: it moves that point far away.
 
 use crate::lagrange::SystemMatrices;
-use crate::modes::{Mode, SolveError, eigenvalues};
+use crate::modes::{Eigenvalues, Mode, SolveError, VALUES_PER_CUBE, eigenvalues};
 use crate::numerics::chebyshev::{interpolate, node, slopes};
 use crate::numerics::scalar::{ceil, exp_m1, is_above, ln_1p, maximum, pow};
 use alloc::vec;
@@ -31,10 +31,9 @@ const LAST_DEGREE: usize = 32;
 const CHECKS: [f64; 2] = [0.013, 0.47];
 /// Most pieces; the last ones are taken as they are.
 const MOST_PIECES: usize = 64;
-/// Eigenproblems of a fit, where it takes no more than one piece.
+/// Eigenproblems of a piece that is good at once, and of a fit of one piece that is not.
+const LEAST_EVALUATIONS: usize = 2 * FIRST_DEGREE + 1 + CHECKS.len() + 1;
 const USUAL_EVALUATIONS: f64 = 35.0;
-/// Multiplications of an eigenproblem, by the cube of its order.
-const PER_CUBE: f64 = 5.0;
 /// Bounds of the bend of the scale as a share of the highest Ω²: outside them it is straight, or
 /// rest is all there is of it.
 const BEND: (f64, f64) = (1e-12, 1e3);
@@ -102,40 +101,52 @@ impl Curves {
     /// [`SolveError`].
     pub fn fit(matrices: &SystemMatrices, at_rest: &[Mode], from: f64, to: f64, work: f64) -> Result<Self, SolveError> {
         let rigid = !matrices.rigid().is_empty();
-        let row = |s: f64| row(at_rest, s, rigid, || eigenvalues(matrices, s, at_rest.len()));
-        Self::through(at_rest.len(), rigid, Scale::new(at_rest, to), (from, to), limit(matrices, work), row)
+        let spent = Cell::new(0.0);
+        let row = |s: f64| {
+            row(at_rest, s, rigid, || {
+                let Eigenvalues { values, work } = eigenvalues(matrices, s, at_rest.len())?;
+                spent.set(spent.get() + work);
+                Ok(values)
+            })
+        };
+        let left = || work - spent.get();
+        let mut curves = Self::through(at_rest.len(), rigid, Scale::new(at_rest, to), (from, to), left, row)?;
+        curves.work = spent.get();
+        Ok(curves)
     }
 
-    /// Curves through what `row` gives at any Ω²: a number for each branch.
+    /// Curves through what `row` gives at any Ω², a number for each branch, while there is work `left`.
     fn through<E>(
         branches: usize,
         rigid: bool,
         scale: Scale,
         (from, to): (f64, f64),
-        limit: Limit,
+        left: impl Fn() -> f64,
         row: impl Fn(f64) -> Result<Vec<f64>, E>,
     ) -> Result<Self, E> {
         let row = |t: f64| row(scale.speed_squared(t));
         let mut curves = Self { scale, pieces: Vec::new(), branches, rigid, error: 0.0, work: 0.0 };
-        let evaluations = Cell::new(0_usize);
-        let row = |t: f64| {
-            evaluations.set(evaluations.get() + 1);
-            row(t)
-        };
         let mut waiting = vec![(scale.at(from), scale.at(to))];
         while let Some((from, to)) = waiting.pop() {
             let mut piece = Piece {
                 nodes: (0..=FIRST_DEGREE).map(|i| node(from, to, FIRST_DEGREE, i)).collect(),
                 rows: Vec::new(),
             };
+            let before = left();
             piece.rows = piece.nodes.iter().map(|&t| row(t)).collect::<Result<_, _>>()?;
+            let each = (before - left()) / piece.nodes.len() as f64;
             loop {
                 let (coarse_error, worst) = piece.refine(from, to, row)?;
                 let enough = coarse_error < TOLERANCE
                     || (coarse_error < COARSE_TOLERANCE && piece.error(from, to, worst, row)? < TOLERANCE);
                 let middle = 0.5 * (from + to);
-                let last = curves.pieces.len() + waiting.len() >= limit.pieces || middle <= from || middle >= to;
-                if enough || (last && piece.nodes.len() > LAST_DEGREE) {
+                let is_full = piece.nodes.len() > LAST_DEGREE;
+                // What is left is for the pieces that wait, too.
+                let evaluations = left() / each / (waiting.len() + 1) as f64;
+                let needed = if is_full { 2 * LEAST_EVALUATIONS } else { piece.nodes.len() + CHECKS.len() + 1 };
+                let divides = middle > from && middle < to && curves.pieces.len() + waiting.len() < MOST_PIECES;
+                let goes_on = (!is_full || divides) && (evaluations.is_nan() || evaluations > needed as f64);
+                if enough || !goes_on {
                     if !enough {
                         // The half of the degree tells where the check happens to stand well.
                         let error = maximum(coarse_error, piece.error(from, to, worst, row)?);
@@ -144,14 +155,13 @@ impl Curves {
                     curves.pieces.push(piece);
                     break;
                 }
-                if piece.nodes.len() > LAST_DEGREE {
+                if is_full {
                     waiting.push((middle, to));
                     waiting.push((from, middle));
                     break;
                 }
             }
         }
-        curves.work = limit.each * evaluations.get() as f64;
         Ok(curves)
     }
 
@@ -284,30 +294,12 @@ pub fn sample(at_rest: &[Mode], (from, to): (f64, f64), step: f64, most: usize) 
     (0..=most.max(1)).take_while(|i| *i as f64 <= parts).map(at).collect()
 }
 
-/// What a fit may take.
-#[derive(Clone, Copy, Debug)]
-struct Limit {
-    pieces: usize,
-    /// Multiplications of one eigenproblem.
-    each: f64,
-}
-
 /// How many functions an ordinary fit may have with so much work.
 pub fn most_functions(work: f64) -> usize {
-    let cube = maximum(work, 0.0) / (USUAL_EVALUATIONS * PER_CUBE);
+    let cube = maximum(work, 0.0) / (USUAL_EVALUATIONS * VALUES_PER_CUBE);
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative; the cast saturates")]
     let most = pow(cube, 1.0 / 3.0) as usize;
     most
-}
-
-fn limit(matrices: &SystemMatrices, work: f64) -> Limit {
-    let n = matrices.count() as f64;
-    let each = PER_CUBE * n * n * n;
-    // The largest piece has been solved at twice its degree and at the ends of the check.
-    let evaluations = work / each;
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 1 and 64")]
-    let pieces = (evaluations / (2 * LAST_DEGREE + 3) as f64).clamp(1.0, MOST_PIECES as f64) as usize;
-    Limit { pieces, each }
 }
 
 /// What is interpolated: every λ at Ω² = `s`, the rigid branch's divided by Ω². At rest that ratio
@@ -337,8 +329,7 @@ impl Curves {
     /// Of made-up branches λ(Ω²).
     pub(super) fn of_functions(branches: usize, (from, to): (f64, f64), row: impl Fn(f64) -> Vec<f64>) -> Self {
         let row = |s: f64| -> Result<Vec<f64>, core::convert::Infallible> { Ok(row(s)) };
-        let limit = Limit { pieces: MOST_PIECES, each: 1.0 };
-        Self::through(branches, false, Scale { bend: to }, (from, to), limit, row)
+        Self::through(branches, false, Scale { bend: to }, (from, to), || f64::INFINITY, row)
             .unwrap_or_else(|never| match never {})
     }
 }

@@ -6,4 +6,4 @@ mod solve;
 
 pub use nodes::nodes;
 pub use shapes::{orthogonality, shapes};
-pub use solve::{Mode, SolveError, coordinates, eigenvalues, solve};
+pub use solve::{Eigenvalues, Mode, SolveError, VALUES_PER_CUBE, coordinates, eigenvalues, solve};

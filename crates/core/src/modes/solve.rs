@@ -65,16 +65,32 @@ impl fmt::Display for Names {
 
 impl core::error::Error for SolveError {}
 
+/// Multiplications of finding eigenvalues alone, and with their shapes, by the cube of the order.
+pub const VALUES_PER_CUBE: f64 = 4.0;
+const SHAPES_PER_CUBE: f64 = 10.0;
+
+/// Eigenvalues without their shapes.
+#[derive(Clone, Debug)]
+pub struct Eigenvalues {
+    /// λ [rad²/s²], ascending.
+    pub values: Vec<f64>,
+    /// About how many multiplications it took.
+    pub work: f64,
+}
+
 /// The `count` lowest eigenvalues at Ω² = `speed_squared` [rad²/s²] without their shapes.
 ///
 /// # Errors
 /// [`SolveError`].
-pub fn eigenvalues(matrices: &SystemMatrices, speed_squared: f64, count: usize) -> Result<Vec<f64>, SolveError> {
+pub fn eigenvalues(matrices: &SystemMatrices, speed_squared: f64, count: usize) -> Result<Eigenvalues, SolveError> {
     let g = matrices.stiffness() + matrices.centrifugal() * speed_squared;
-    match lowest_values(&g, matrices.mass(), count.min(matrices.count())) {
-        Some(values) => Ok(values),
-        None => Ok(solve(matrices, speed_squared, count)?.iter().map(|mode| mode.eigenvalue).collect()),
+    let n = matrices.count() as f64;
+    let work = VALUES_PER_CUBE * n * n * n;
+    if let Some(values) = lowest_values(&g, matrices.mass(), count.min(matrices.count())) {
+        return Ok(Eigenvalues { values, work });
     }
+    let values = solve(matrices, speed_squared, count)?.iter().map(|mode| mode.eigenvalue).collect();
+    Ok(Eigenvalues { values, work: work + SHAPES_PER_CUBE * n * n * n })
 }
 
 /// Generalised coordinates of modes with these eigenvalues at Ω² = `speed_squared` [rad²/s²], qᵀ M q = 1, one
@@ -179,7 +195,8 @@ mod tests {
         for blade in [clamped(0.5), free(0.5)] {
             for dof in Dof::ALL {
                 let matrices = matrices(&blade, dof);
-                let (values, modes) = (eigenvalues(&matrices, 50.0, 4).unwrap(), solve(&matrices, 50.0, 4).unwrap());
+                let (values, modes) =
+                    (eigenvalues(&matrices, 50.0, 4).unwrap().values, solve(&matrices, 50.0, 4).unwrap());
                 assert_eq!(values.len(), 4);
                 for (value, mode) in values.iter().zip(&modes) {
                     // Two ways through the same few rotations.
