@@ -64,7 +64,7 @@ const chart = new Chart(at("chart"), chooseSpeed);
 startUnchanged(chart, store);
 startZoom(chart, store);
 startBand(chart, store);
-startHover(chart, chooseSpeed);
+startHover(chart, async (report, speed) => (await client.call("hover", "at_speed", report, speed))?.value ?? null, chooseSpeed);
 startNumbers(store);
 startMeasured(store, client);
 startView(store, chart, tryAgain);

@@ -1,4 +1,4 @@
-// The frame of a fan chart: from pixels to numbers and back, and what lies between the report's speeds.
+// The frame of a fan chart: from pixels to numbers and back, and where the drawn lines are.
 
 /** How many rad/s one unit of speed or frequency is, by its name. */
 const RAD_S = {};
@@ -8,38 +8,6 @@ const FAR = 1e5;
 /** Takes in the units as the package has them, before anything is drawn. */
 export function knowUnits(units) {
   for (const { name, rad_s } of units) RAD_S[name] = rad_s;
-}
-
-/** A branch's frequency between the report's speeds [rad/s]: λ = ω² is smooth in Ω², a parabola through three points follows it. */
-export function between(speeds, frequencies, speed) {
-  const last = speeds.length - 1;
-  if (last < 2) return frequencies[0] ?? NaN;
-  let low = 0;
-  let high = last;
-  while (high - low > 1) {
-    const middle = (low + high) >> 1;
-    if (speeds[middle] <= speed) low = middle;
-    else high = middle;
-  }
-  const nearest = speed - speeds[low] < speeds[high] - speed ? low : high;
-  const centre = Math.min(last - 1, Math.max(1, nearest));
-  const points = [centre - 1, centre, centre + 1].map((i) => ({ x: speeds[i] ** 2, y: frequencies[i] ** 2 }));
-  const x = speed ** 2;
-  let sum = 0;
-  for (const point of points) {
-    let term = point.y;
-    for (const other of points) if (other !== point) term *= (x - other.x) / (point.x - other.x);
-    sum += term;
-  }
-  return Math.sqrt(Math.max(0, sum));
-}
-
-/** A frequency over the rotor speed with the harmonic nearest to it, in the words of the reports; nothing is known at rest. */
-export function perRev(frequency, speed) {
-  if (!(speed > 0)) return { per_rev: null, nearest_harmonic: null, margin_per_rev: null };
-  const per_rev = frequency / speed;
-  const nearest_harmonic = Math.max(1, Math.round(per_rev));
-  return { per_rev, nearest_harmonic, margin_per_rev: per_rev - nearest_harmonic };
 }
 
 /** A frequency [rad/s] in a unit by its name on an axis or among the options; NaN per revolution at rest. */
@@ -105,18 +73,18 @@ export class Frame {
     return x >= this.left - margin && x <= this.right + margin && y >= this.top - margin && y <= this.bottom + margin;
   }
 
-  /** A branch's frequency at a speed of the chart [rad/s]. */
-  frequency(branch, speed) {
-    return between(this.report.speeds_rad_s, branch.frequency_rad_s, speed);
-  }
-
-  /** The branches' points at a speed, as far as they are in the frame. */
+  /** Where the drawn lines of the branches are at a speed, as far as that is in the frame: {branch, x, y, slope}. */
   points(speed) {
+    const { speeds_rad_s: speeds, branches } = this.report;
+    const beyond = speeds.findIndex((each) => each > speed);
+    const high = Math.max(1, beyond < 0 ? speeds.length - 1 : beyond);
     const x = this.x(speed);
-    return this.report.branches
+    const [from, to] = [high - 1, high].map((i) => this.x(speeds[i]));
+    return branches
       .map((branch) => {
-        const frequency = this.frequency(branch, speed);
-        return { branch, frequency, x, y: this.y(frequency, speed) };
+        const [low, up] = [high - 1, high].map((i) => this.y(branch.frequency_rad_s[i], speeds[i]));
+        const slope = (up - low) / (to - from);
+        return { branch, x, y: low + slope * (x - from), slope };
       })
       .filter((point) => this.holds(point, 0.5));
   }

@@ -2,54 +2,65 @@
 
 import { at, element } from "../lib/dom.js";
 import { fieldNumber, figures, marginWords, perRevWords } from "../lib/format.js";
-import { inUnit, perRev } from "./frame.js";
+import { inUnit } from "./frame.js";
 
 /** A branch is meant from this near, in pixels of the screen. */
 const REACH = { mouse: 28, pen: 28, touch: 48 };
 /** The keys go along a branch in so many steps. */
 const STEPS = 100;
 
-/** The lines of the readout. */
-export function words(branch, frequency, speed, unit, shownSpeed) {
-  const { per_rev: ratio, ...margin } = perRev(frequency, speed);
+/** The lines of the readout, from what the solver says of a branch at a speed. */
+export function words(reading, speed, unit, shownSpeed) {
+  const { label, frequency_rad_s: frequency, per_rev: ratio } = reading;
   return [
-    `${branch.label} at ${fieldNumber(shownSpeed, 4)} ${unit}`,
+    `${label} at ${fieldNumber(shownSpeed, 4)} ${unit}`,
     `${figures(frequency)} rad/s, ${figures(inUnit(frequency, speed, "Hz"))} Hz${ratio === null ? "" : `, ${perRevWords(ratio)}/rev`}`,
-    ...(ratio === null ? [] : [marginWords(margin, "/rev")]),
+    ...(ratio === null ? [] : [marginWords(reading, "/rev")]),
   ];
 }
 
 /** The point of a branch nearest to a pixel, at the pixel's speed; the distance is across the branch. */
 export function nearest(frame, { x, y }) {
   const speed = frame.speed(x);
-  const beside = frame.speed(x < frame.right - 2 ? x + 2 : x - 2);
   let best = null;
   for (const point of frame.points(speed)) {
-    const slope = (frame.y(frame.frequency(point.branch, beside), beside) - point.y) / (frame.x(beside) - frame.x(speed));
-    const distance = Math.abs(y - point.y) / Math.hypot(1, slope);
+    const distance = Math.abs(y - point.y) / Math.hypot(1, point.slope);
     if (best === null || distance < best.distance) best = { ...point, speed, distance };
   }
   return best;
 }
 
-/** Makes the readout; `onSpeed` hears of a speed chosen by Enter, in the unit of the axis. */
-export function startHover(chart, onSpeed) {
+/**
+ * Makes the readout. `read(report, speed)` resolves to what the solver says of the report's branches at a speed
+ * [rad/s], or null where a newer question has come in; `onSpeed` hears of a speed chosen by Enter, in the unit
+ * of the axis.
+ */
+export function startHover(chart, read, onSpeed) {
   const { host } = chart;
   const box = Object.assign(document.createElement("div"), { className: "readout", hidden: true });
   box.setAttribute("aria-hidden", "true");
   host.append(box);
   const said = at("chart-said");
   let place = null; // {point} of the pointer, or {label, speed} of the keys
+  let shown = null; // the point that is shown, or is to be as soon as its numbers are there
 
   function hide() {
     place = null;
+    shown = null;
     box.hidden = true;
     chart.layers.hover.replaceChildren();
   }
 
-  function put({ branch, frequency, speed, x, y }) {
+  /** Shows a point at once and its numbers as soon as they are there; resolves to the lines. */
+  async function put(point) {
     const { frame } = chart;
-    const lines = words(branch, frequency, speed, frame.speedUnit, frame.shown(speed));
+    const { branch, speed, x, y } = point;
+    shown = point;
+    chart.layers.hover.replaceChildren(element("circle", { cx: x, cy: y, r: 5.5, "data-dof": branch.dof }));
+    const readings = await read(frame.report, speed);
+    const reading = readings?.find(({ label }) => label === branch.label);
+    if (shown !== point || reading === undefined) return null;
+    const lines = words(reading, speed, frame.speedUnit, frame.shown(speed));
     box.replaceChildren(...lines.map((text) => Object.assign(document.createElement("div"), { textContent: text })));
     box.dataset.dof = branch.dof;
     // Beside the point, on the side that has room.
@@ -57,7 +68,6 @@ export function startHover(chart, onSpeed) {
     box.classList.toggle("downward", y < frame.top + 0.3 * frame.plot.height);
     box.hidden = false;
     chart.put(box, x, y);
-    chart.layers.hover.replaceChildren(element("circle", { cx: x, cy: y, r: 5.5, "data-dof": branch.dof }));
     return lines;
   }
 
@@ -69,6 +79,7 @@ export function startHover(chart, onSpeed) {
       const found = nearest(frame, place.point);
       const scale = host.clientWidth / frame.width;
       if (found === null || found.distance * scale > place.reach) {
+        shown = null;
         box.hidden = true;
         chart.layers.hover.replaceChildren();
         return;
@@ -132,8 +143,9 @@ export function startHover(chart, onSpeed) {
       if (up) place.label = climb(frame, place, up);
       if (end !== undefined) place.speed = [from, to][end];
     }
-    const lines = show();
-    said.textContent = lines ? lines.join(", ") : "The branch leaves the chart here.";
+    const coming = show();
+    if (coming === undefined) said.textContent = "The branch leaves the chart here.";
+    else coming.then((lines) => lines && (said.textContent = lines.join(", ")));
   });
   host.addEventListener("blur", () => !place?.point && hide());
   chart.onShow(show);

@@ -5,7 +5,7 @@
 import { Client } from "./client.js";
 
 /** @type {(name: string, args: unknown[]) => boolean} */
-const isFanWork = (name, [kind]) => name === "modes" || name === "fan" || (name === "chart_svg" && kind === "fan");
+const isFanWork = (name, [kind]) => ["modes", "fan", "at_speed"].includes(name) || (name === "chart_svg" && kind === "fan");
 
 export class Solver {
   #fan;

@@ -125,7 +125,7 @@ impl Basis {
         let slack = if matches!(self, Self::Piecewise(_)) { TAPER_SLACK } else { 1.0 };
         let own;
         let from_tip = match self {
-            Self::Piecewise(converged) => converged.from_tip(),
+            Self::Piecewise(converged) => converged.integration(),
             Self::Classical(_) => {
                 own = FromTip::new(self.grid(), rules);
                 &own

@@ -339,7 +339,7 @@ impl Converged {
     }
 
     /// Integration from the tip over [`grid`](Self::grid).
-    pub fn from_tip(&self) -> &FromTip {
+    pub fn integration(&self) -> &FromTip {
         &self.from_tip
     }
 
