@@ -1,7 +1,8 @@
-//! Numbers as a person reads them: so many significant figures.
+//! Numbers as a person reads them: so many significant figures, or as short as they are.
 
 use alloc::format;
-use alloc::string::String;
+use alloc::string::{String, ToString};
+use core::fmt;
 
 /// Most digits before the point that stay readable without exponent in a table.
 const DIGITS: i32 = 7;
@@ -49,6 +50,26 @@ fn without_idle_zeros(text: String) -> String {
     if number { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
 }
 
+/// A number as the shortest text that reads back to it, with an exponent only where it helps.
+#[derive(Clone, Copy, Debug)]
+pub struct Shortest(pub f64);
+
+impl fmt::Display for Shortest {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(value) = *self;
+        if value == 0.0 || (1e-4..1e15).contains(&value.abs()) || !value.is_finite() {
+            write!(f, "{value}")
+        } else {
+            write!(f, "{value:e}")
+        }
+    }
+}
+
+/// [`Shortest`] as a string.
+pub fn shortest(value: f64) -> String {
+    Shortest(value).to_string()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -93,6 +114,22 @@ mod tests {
         ];
         for (value, text) in cases {
             assert_eq!(short_in_drawing(value, 4), text);
+        }
+    }
+
+    #[test]
+    fn numbers_are_shown_shortest() {
+        for (value, text) in [
+            (-17.0, "-17"),
+            (0.3, "0.3"),
+            (5e6, "5000000"),
+            (1e300, "1e300"),
+            (-0.0, "-0"),
+            (1.5e-7, "1.5e-7"),
+            (f64::INFINITY, "inf"),
+            (f64::NAN, "NaN"),
+        ] {
+            assert_eq!(shortest(value), text);
         }
     }
 }

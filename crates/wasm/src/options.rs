@@ -4,6 +4,7 @@
 use crate::tree::{elements, entries};
 use bladefan_core::Settings;
 use bladefan_core::chart::{ChartOptions, FrequencyUnit, Theme, parse_frequencies};
+use bladefan_core::figures::shortest;
 use bladefan_core::formats::measured;
 use bladefan_core::report::MeasuredPoint;
 use bladefan_core::units::SpeedUnit;
@@ -182,7 +183,7 @@ fn text(name: &str, value: &JsValue) -> Result<String, Fault> {
 }
 
 fn scalar(value: &JsValue) -> Option<String> {
-    value.as_string().or_else(|| value.as_f64().map(|number| number.to_string()))
+    value.as_string().or_else(|| value.as_f64().map(shortest))
 }
 
 fn option_fault(name: &str, value: &str, rule: &str) -> Fault {

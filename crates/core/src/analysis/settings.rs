@@ -1,8 +1,8 @@
 //! Options of every command, one plain struct: defaults, reading from text, checks.
 
-use crate::blade::Shortest;
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode, Faults};
+use crate::figures::Shortest;
 use crate::functions::BasisFamily;
 use crate::units::parse_speed;
 use alloc::format;

@@ -8,6 +8,7 @@ use super::property::Property;
 use super::range::Range;
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode, Faults, Warning};
+use crate::figures::{Shortest, shortest};
 use crate::numerics::PiecewiseLinear;
 use crate::units::Units;
 use alloc::format;
@@ -68,25 +69,6 @@ fn assemble(
         properties: properties.try_into().ok()?,
         warnings,
     })
-}
-
-/// A number as the shortest text that reads back to it, with an exponent only where it helps.
-pub(crate) struct Shortest(pub f64);
-
-impl fmt::Display for Shortest {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self(value) = *self;
-        if value == 0.0 || (1e-4..1e15).contains(&value.abs()) || !value.is_finite() {
-            write!(f, "{value}")
-        } else {
-            write!(f, "{value:e}")
-        }
-    }
-}
-
-/// [`Shortest`] as a string.
-pub(crate) fn shortest(value: f64) -> String {
-    Shortest(value).to_string()
 }
 
 /// A word that is not one of the choices.

@@ -13,10 +13,9 @@ mod section;
 mod tension;
 
 pub use change::{Amount, Change, Changed, Part, What, change};
-pub(crate) use check::Shortest;
 pub use check::check;
 #[cfg(feature = "formats")]
-pub(crate) use check::{choice_fault, shortest};
+pub(crate) use check::choice_fault;
 pub use convert::convert;
 pub use definition::{
     BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Source,

@@ -2,8 +2,8 @@
 
 use super::BYTE_ORDER_MARK;
 use super::place::{Placed, in_order};
-use crate::blade::shortest;
 use crate::fault::{Fault, FaultCode, Faults};
+use crate::figures::shortest;
 use crate::label::{Label, NotALabel};
 use crate::report::MeasuredPoint;
 use crate::units::SpeedUnit;

@@ -1,10 +1,11 @@
 //! Properties along the span: stations, values, and the span that each must cover.
 
-use super::{CheckedRoot, Checker, Length, NEAR, Range, Shortest, shortest};
+use super::{CheckedRoot, Checker, Length, NEAR, Range};
 use crate::blade::definition::{DistributionDefinition, PropertyDefinition};
 use crate::blade::property::Property;
 use crate::dof::Dof;
 use crate::fault::FaultCode;
+use crate::figures::{Shortest, shortest};
 use crate::numerics::PiecewiseLinear;
 use alloc::format;
 use alloc::string::String;

@@ -139,22 +139,6 @@ fn radii_that_fall_together_in_si_units_are_refused() {
 }
 
 #[test]
-fn numbers_are_shown_shortest() {
-    for (value, text) in [
-        (-17.0, "-17"),
-        (0.3, "0.3"),
-        (5e6, "5000000"),
-        (1e300, "1e300"),
-        (-0.0, "-0"),
-        (1.5e-7, "1.5e-7"),
-        (f64::INFINITY, "inf"),
-        (f64::NAN, "NaN"),
-    ] {
-        assert_eq!(shortest(value), text);
-    }
-}
-
-#[test]
 fn numbers_whose_squares_would_not_be_numbers_are_refused() {
     let refused = |given: BladeDefinition| check(&given).unwrap_err().to_string();
     let cases = [

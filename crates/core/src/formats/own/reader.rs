@@ -4,10 +4,11 @@ use super::SCHEMA;
 use super::tree::{Entry, Node, Tree};
 use crate::blade::{
     BladeDefinition, DistributionDefinition, Property, PropertyDefinition, RootDefinition, RootKind, RotorDefinition,
-    Shortest, Source, choice_fault,
+    Source, choice_fault,
 };
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode};
+use crate::figures::Shortest;
 use crate::formats::place::Placed;
 use crate::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit, Units};
 use alloc::format;

@@ -4,8 +4,8 @@ use super::SCHEMA;
 use super::tree::{Entry, Node, Tree};
 use crate::blade::{
     BladeDefinition, DistributionDefinition, Property, PropertyDefinition, RootDefinition, RootKind, RotorDefinition,
-    Shortest,
 };
+use crate::figures::Shortest;
 use crate::units::Units;
 use alloc::string::String;
 use alloc::vec::Vec;
