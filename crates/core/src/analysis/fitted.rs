@@ -20,8 +20,8 @@ const MOST_ATTEMPTS: usize = 8;
 const ADDED: usize = 6;
 /// About so many modes are looked at, where there are more.
 const LOOKED_AT: usize = 8;
-/// A speed looked at before the first one between two, as a share of its Ω².
-const BESIDE_REST: f64 = 0.05;
+/// A speed looked at beside rest, as a share of the first Ω² between two.
+const BESIDE_REST: f64 = 0.01;
 /// Added Ω² keep apart by this part of the larger.
 const APART: f64 = 0.05;
 
@@ -147,16 +147,16 @@ impl Made {
     }
 }
 
-/// The Ω² of a range at which modes are looked at: between the speeds that the functions come from, beside the
-/// beginning, where they may be worse than at any, and half way.
+/// The Ω² of a range at which modes are looked at: between the speeds that the functions come from, and beside
+/// rest, where they may be worse than at any; half way where that leaves none.
 fn places(converged: &Converged, (from, to): (f64, f64)) -> Vec<f64> {
-    let mut between = converged.between();
-    let first = between.first().copied().unwrap_or(to);
-    between.extend([BESIDE_REST * first, half_way(from, to)]);
-    between.retain(|s| (from..=to).contains(s) && *s > 0.0);
-    between.sort_by(f64::total_cmp);
-    between.dedup();
-    between
+    let between = converged.between();
+    let beside = BESIDE_REST * between.first().copied().unwrap_or(to);
+    let mut places: Vec<f64> = between.into_iter().chain([beside]).filter(|s| (from..=to).contains(s)).collect();
+    if places.is_empty() {
+        places.push(half_way(from, to));
+    }
+    places
 }
 
 #[cfg(test)]

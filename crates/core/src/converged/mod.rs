@@ -51,10 +51,13 @@ const ANCHORS: [f64; 6] = [0.5, 0.0, 1.0, 0.25, 0.75, 0.06];
 const FIRST_ANCHORS: usize = 3;
 /// A few more speeds make nothing of an error above this.
 const TOO_WIDE: f64 = 1e-5;
+/// Ω² that differ by less than this of them are one.
+const SAME: f64 = 1e-6;
 /// Most functions that may come out of a range: a chart solves dense problems of that order.
 pub const MOST_FUNCTIONS: usize = 200;
-/// Where the answer is checked besides, as shares of the range of Ω².
-const CHECKS: [f64; 2] = [0.2, 1.0];
+/// Where the answer is checked besides, as shares of the range of Ω²: half way in rotor speed between the first
+/// two anchors, and at the end.
+const CHECKS: [f64; 2] = [0.125, 1.0];
 /// How far below the last eigenvalue found the others are counted, as shares of it, one after the
 /// other until a count is certain.
 const COUNTED_BELOW: [f64; 3] = [1e-7, 1e-6, 1e-5];
@@ -68,8 +71,9 @@ pub struct Converged {
     found: Reduced,
     error: f64,
     counted: Option<f64>,
-    /// Ω² of the speeds whose modes the functions are.
+    /// Ω² of the speeds whose modes the functions are, and of those at which these were checked.
     anchors: Vec<f64>,
+    checked: Vec<f64>,
     from_tip: FromTip,
 }
 
@@ -250,7 +254,10 @@ impl Converged {
                     continue;
                 }
                 drop(subspace);
-                return Ok((Self { elements, found, error, counted, anchors, from_tip }, shares));
+                return Ok((
+                    Self { elements, found, error, counted, anchors, checked: wanted.checks(), from_tip },
+                    shares,
+                ));
             } else {
                 last = error;
             }
@@ -306,7 +313,7 @@ impl Converged {
                 }
             }
             drop(all);
-            return Ok((Self { elements, found, error, counted, anchors, from_tip }, shares));
+            return Ok((Self { elements, found, error, counted, anchors, checked: wanted.checks(), from_tip }, shares));
         }
     }
 
@@ -330,12 +337,14 @@ impl Converged {
         self.found.error_of(&self.elements, coordinates, values, speed_squared, &self.from_tip)
     }
 
-    /// The Ω² half way, in rotor speed, between those whose modes the functions are.
+    /// The Ω² half way, in rotor speed, between those whose modes the functions are, but for those at which
+    /// these were checked: their errors are among [`error`](Self::error).
     pub fn between(&self) -> Vec<f64> {
         let mut anchors = self.anchors.clone();
         anchors.sort_by(f64::total_cmp);
         anchors.dedup();
-        anchors.windows(2).map(|pair| half_way(pair[0], pair[1])).collect()
+        let between = anchors.windows(2).map(|pair| half_way(pair[0], pair[1]));
+        between.filter(|s| !self.checked.iter().any(|checked| (checked - s).abs() <= SAME * s)).collect()
     }
 
     /// Integration from the tip over [`grid`](Self::grid).

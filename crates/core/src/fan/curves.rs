@@ -11,7 +11,7 @@
 
 use crate::lagrange::SystemMatrices;
 use crate::modes::{Eigenvalues, Mode, SolveError, VALUES_PER_CUBE, eigenvalues};
-use crate::numerics::chebyshev::{interpolate, node, slopes};
+use crate::numerics::chebyshev::{interpolate, node, with_slopes};
 use crate::numerics::scalar::{ceil, exp_m1, is_above, ln_1p, maximum, pow};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -221,8 +221,7 @@ impl Curves {
         let (mut values, mut derivatives) = (vec![0.0; count], vec![0.0; count]);
         let t = self.scale.at(speed_squared);
         if let Some(piece) = self.piece(t) {
-            interpolate(&piece.nodes, &piece.rows, first, t, &mut values);
-            slopes(&piece.nodes, &piece.rows, first, t, &mut derivatives);
+            with_slopes(&piece.nodes, &piece.rows, first, t, &mut values, &mut derivatives);
         }
         let rate = 1.0 / (speed_squared + self.scale.bend);
         values.into_iter().zip(derivatives).map(|(value, slope)| Point { value, slope: slope * rate }).collect()

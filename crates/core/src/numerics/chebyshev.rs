@@ -39,28 +39,29 @@ pub fn interpolate(nodes: &[f64], rows: &[Vec<f64>], first: usize, x: f64, value
 /// digits there. Moving away costs as many: seven are right, enough to steer Newton's method.
 const NEAR_NODE: f64 = 1e-7;
 
-/// Derivatives of the interpolant at `x`, one per function from the one with the index `function`, to about seven
-/// digits.
-pub fn slopes(nodes: &[f64], rows: &[Vec<f64>], function: usize, x: f64, slopes: &mut [f64]) {
-    let of = function..function + slopes.len();
+/// [`interpolate`], and the derivatives of the interpolants at `x` to about seven digits.
+pub fn with_slopes(nodes: &[f64], rows: &[Vec<f64>], function: usize, x: f64, values: &mut [f64], slopes: &mut [f64]) {
     let (Some(first), Some(last)) = (nodes.first(), nodes.last()) else { return };
+    interpolate(nodes, rows, function, x, values);
     let hair = NEAR_NODE * (last - first);
-    let x = match nodes.iter().find(|node| (x - **node).abs() < hair) {
-        Some(node) if node + hair <= *last => node + hair,
-        Some(node) => node - hair,
-        None => x,
+    let moved;
+    let (x, values) = match nodes.iter().find(|node| (x - **node).abs() < hair) {
+        Some(node) => {
+            let beside = if node + hair <= *last { node + hair } else { node - hair };
+            let mut there = slopes.to_vec();
+            interpolate(nodes, rows, function, beside, &mut there);
+            moved = there;
+            (beside, &moved[..])
+        }
+        None => (x, &*values),
     };
-    let mut values = slopes.to_vec();
-    interpolate(nodes, rows, of.start, x, &mut values);
+    let of = function..function + slopes.len();
     let sum: f64 = nodes.iter().enumerate().map(|(index, node)| weight(index, nodes.len()) / (x - node)).sum();
     slopes.fill(0.0);
     for (index, (node, row)) in nodes.iter().zip(rows).enumerate() {
         let weight = weight(index, nodes.len()) / ((x - node) * (x - node) * sum);
-        slopes
-            .iter_mut()
-            .zip(&values)
-            .zip(&row[of.clone()])
-            .for_each(|((slope, value), entry)| *slope += weight * (value - entry));
+        let each = slopes.iter_mut().zip(values).zip(&row[of.clone()]);
+        each.for_each(|((slope, value), entry)| *slope += weight * (value - entry));
     }
 }
 
@@ -82,8 +83,10 @@ mod tests {
         let (mut values, mut derivatives) = (vec![0.0; 2], vec![0.0; 2]);
         for i in 0..=100 {
             let x = f64::from(i) * 0.04;
-            interpolate(&nodes, &rows, 0, x, &mut values);
-            slopes(&nodes, &rows, 0, x, &mut derivatives);
+            with_slopes(&nodes, &rows, 0, x, &mut values, &mut derivatives);
+            let mut alone = [0.0];
+            interpolate(&nodes, &rows, 1, x, &mut alone);
+            assert_eq!(alone, values[1..], "one function by itself");
             assert!((values[0] - 1.0 / (2.0 + x)).abs() < 1e-15, "{x}: {}", values[0]);
             assert!((values[1] - x * x).abs() < 2e-14, "{x}: {}", values[1]);
             assert!((derivatives[1] - 2.0 * x).abs() < 4e-6, "{x}: {}", derivatives[1]);
@@ -114,7 +117,8 @@ mod tests {
         // All nodes in one place, as for a range of one speed.
         interpolate(&[5.0; 3], &[vec![1.5], vec![1.5], vec![1.5]], 0, 5.0, &mut value);
         assert_eq!(value, [1.5]);
-        slopes(&[], &[], 0, 1.0, &mut value);
-        assert_eq!(value, [1.5], "nothing to take a slope of");
+        let mut slope = [0.5];
+        with_slopes(&[], &[], 0, 1.0, &mut value, &mut slope);
+        assert_eq!((value, slope), ([1.5], [0.5]), "nothing to take a slope of");
     }
 }
