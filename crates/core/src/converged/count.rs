@@ -28,8 +28,10 @@ pub(super) fn below(elements: &Elements, eigenvalue: f64, speed_squared: f64) ->
     let eigenvalue = eigenvalue + grid.system().shift(speed_squared);
     let mut outboard = Form::zero(states);
     let mut count = 0;
-    for element in elements.locals().iter().rev() {
-        let displacements = displacements(element, states);
+    let locals = elements.locals();
+    let ones = vec![1.0; locals.iter().map(|element| element.weight.len()).max().unwrap_or(0)];
+    for element in locals.iter().rev() {
+        let displacements = displacements(element, states, &ones);
         let mut form = form(element, &displacements, eigenvalue, speed_squared);
         form.add_outboard(&outboard, &transfer(element, states));
         let (negative, inboard) = form.eliminated(states)?;
@@ -47,27 +49,24 @@ pub(super) fn below(elements: &Elements, eigenvalue: f64, speed_squared: f64) ->
     (pivot.abs() > CERTAIN * size).then_some(count + usize::from(pivot < 0.0))
 }
 
-/// Displacements at the points of an element, of its polynomials and then of its states.
-fn displacements(element: &Local, states: usize) -> Vec<Vec<f64>> {
-    let (order, half) = (element.coupling.len(), element.half);
-    let scaled = |values: &[f64], factor: f64| values.iter().map(|value| factor * value).collect::<Vec<f64>>();
-    let unit = vec![1.0; element.weight.len()];
-    let mut rows: Vec<Vec<f64>> = (0..order)
-        .map(|j| match states {
-            1 => scaled(element.table.first(j), half),
-            _ => scaled(element.table.second(j), half * half),
-        })
-        .collect();
-    rows.push(unit);
+/// Displacements at the points of an element, of its polynomials and then of its states, each by a factor.
+fn displacements<'a>(element: &Local<'a>, states: usize, ones: &'a [f64]) -> Vec<(&'a [f64], f64)> {
+    let (order, half, table) = (element.coupling.len(), element.half, element.table);
+    let polynomial = |j| match states {
+        1 => (table.first(j), half),
+        _ => (table.second(j), half * half),
+    };
+    let mut rows: Vec<_> = (0..order).map(polynomial).collect();
+    rows.push((&ones[..element.weight.len()], 1.0));
     if states > 1 {
         // The lever of a rotation about the inner end.
-        rows.push(scaled(element.table.first(0), half));
+        rows.push((table.first(0), half));
     }
     rows
 }
 
 /// K + Ω² C − λ M of one element: its polynomials, then its states, the rotation last.
-fn form(element: &Local, displacements: &[Vec<f64>], eigenvalue: f64, speed_squared: f64) -> Form {
+fn form(element: &Local, displacements: &[(&[f64], f64)], eigenvalue: f64, speed_squared: f64) -> Form {
     let (order, n) = (element.coupling.len(), displacements.len());
     let mut form = Form::zero(n);
     for j in 0..order {
@@ -80,11 +79,12 @@ fn form(element: &Local, displacements: &[Vec<f64>], eigenvalue: f64, speed_squa
         form.add(n - 1, j, speed_squared * element.coupling[j]);
     }
     form.add(n - 1, n - 1, speed_squared * element.own);
-    for j in 0..n {
-        let load: Vec<f64> =
-            element.weight.iter().zip(element.inertia).zip(&displacements[j]).map(|((w, m), u)| w * m * u).collect();
-        for (i, other) in displacements.iter().enumerate().skip(j) {
-            form.add(i, j, -eigenvalue * dot(&load, other));
+    let masses: Vec<f64> = element.weight.iter().zip(element.inertia).map(|(w, m)| w * m).collect();
+    let mut load = masses.clone();
+    for (j, (own, factor)) in displacements.iter().enumerate() {
+        load.iter_mut().zip(&masses).zip(*own).for_each(|((load, m), u)| *load = m * u);
+        for (i, (other, by)) in displacements.iter().enumerate().skip(j) {
+            form.add(i, j, -eigenvalue * factor * by * dot(&load, other));
         }
     }
     form
