@@ -144,8 +144,8 @@ export function startHover(chart, read, onSpeed) {
       if (end !== undefined) place.speed = [from, to][end];
     }
     const coming = show();
-    if (coming === undefined) said.textContent = "The branch leaves the chart here.";
-    else coming.then((lines) => lines && (said.textContent = lines.join(", ")));
+    if (coming instanceof Promise) coming.then((lines) => lines && (said.textContent = lines.join(", ")));
+    else said.textContent = "The branch leaves the chart here.";
   });
   host.addEventListener("blur", () => !place?.point && hide());
   chart.onShow(show);
