@@ -18,6 +18,8 @@ use alloc::vec::Vec;
 const MOST_ATTEMPTS: usize = 8;
 /// Speeds that are added at a time.
 const ADDED: usize = 6;
+/// Multiplications of finding the vector of an eigenvalue, by the cube of the order.
+const VECTOR_PER_CUBE: f64 = 1.0;
 /// About so many modes are looked at, where there are more.
 const LOOKED_AT: usize = 8;
 /// A speed looked at beside rest, as a share of the first Ω² between two.
@@ -128,6 +130,8 @@ impl Made {
                 values = values.into_iter().rev().step_by(step + 1).collect();
             }
             let coordinates = coordinates(matrices, s, &values).map_err(unsolvable)?;
+            let n = matrices.count() as f64;
+            work.spend(VECTOR_PER_CUBE * values.len() as f64 * n * n * n);
             errors.push((s, converged.error_of(&coordinates, &values, s, work)));
         }
         errors.sort_by(|a, b| b.1.total_cmp(&a.1));

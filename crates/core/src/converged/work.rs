@@ -6,7 +6,7 @@ use core::cell::Cell;
 /// answer, and its error says how good it is. Ordinary blades need a hundredth.
 const AT_ONE_SPEED: f64 = 3e8;
 /// The same over a range of speeds.
-const OVER_A_RANGE: f64 = 1.2e9;
+const OVER_A_RANGE: f64 = 9e8;
 
 /// What is left to spend on one degree of freedom, in multiplications.
 #[derive(Clone, Debug)]
