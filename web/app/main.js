@@ -83,8 +83,7 @@ store.subscribe(
   ({ blade, doc, whatIf, faults }, changed) => changed.has("blade") && faults.length === 0 && store.set({ good: isNeutral(whatIf) ? blade : doc }),
 );
 
-/** @type {HTMLInputElement[]} */
-const optionFields = [...document.querySelectorAll("[data-option]")];
+const optionFields = [.../** @type {NodeListOf<HTMLInputElement | HTMLSelectElement>} */ (document.querySelectorAll("[data-option]"))];
 store.subscribe(({ options }, changed) => {
   if (!changed.has("options")) return;
   for (const field of optionFields) {
@@ -97,8 +96,7 @@ for (const field of optionFields) {
   });
 }
 
-/** @type {HTMLElement[]} */
-const tabs = [...document.querySelectorAll('[role="tab"]')];
+const tabs = [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('[role="tab"]'))];
 function chooseTab(tab) {
   tab.focus();
   store.set({ tab: tab.id.replace("tab-", "") });

@@ -50,7 +50,10 @@ const VIEW = {
     orNull(text(8))(value.length ?? null),
 };
 
-/** Why a view is more work than a page should be given by others, in words; null where it is not. */
+/**
+ * Why a view is more work than a page should be given by others, in words; null where it is not.
+ * @param {{ window?: { speeds?: number[] }, options?: { modes?: string } }} view
+ */
 function tooMuch({ window, options }) {
   const count = window?.speeds?.[2];
   if (count === undefined) return null;

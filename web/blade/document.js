@@ -72,7 +72,7 @@ export function createDocument(store) {
 
   return {
     /** Takes another blade in; `text` is its file, where there is one. Typing with one `key` is one step. */
-    open(doc, { choice, text = null }, { key = null, ...more } = {}) {
+    open(doc, { choice, text = null }, key = null, more = {}) {
       remember(key);
       if (more.whatIf !== undefined) which++;
       show({ doc, text, choice }, more);
@@ -107,7 +107,7 @@ export function startHistory(store, blade) {
     const key = event.key.toLowerCase();
     if (key !== "z" && key !== "y") return;
     // The text has a history of its own while it is typed in.
-    if (event.target.closest?.("textarea") !== null && event.target instanceof HTMLTextAreaElement) return;
+    if (event.target instanceof HTMLTextAreaElement) return;
     event.preventDefault();
     if (key === "y" || event.shiftKey) blade.redo();
     else blade.undo();

@@ -117,14 +117,16 @@ export function startForm(store, blade) {
     ...Object.keys(ROOTS).map(rootFields),
   );
   form.addEventListener("input", ({ target }) => {
+    if (!(target instanceof HTMLInputElement)) return;
     const { path, text } = target.dataset;
-    if (path === undefined || target.tagName !== "INPUT") return;
+    if (path === undefined) return;
     const value = text === undefined ? fieldValue(target.value) : target.value === "" ? undefined : target.value;
     blade.edit((doc) => setAt(doc, path, value), path);
   });
   form.addEventListener("change", ({ target }) => {
+    if (!(target instanceof HTMLSelectElement)) return;
     const { path, offsetOf } = target.dataset;
-    if (target.tagName === "SELECT" && path?.endsWith(".root")) blade.edit((doc) => chooseRoot(doc, path.split(".")[0], target.value));
+    if (path?.endsWith(".root")) blade.edit((doc) => chooseRoot(doc, path.split(".")[0], target.value));
     if (offsetOf !== undefined) blade.edit((doc) => chooseMeasure(doc, offsetOf, target.value));
   });
   form.addEventListener("focusout", () => store.get().doc && show(form, store.get().doc));

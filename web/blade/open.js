@@ -28,7 +28,7 @@ export function startOpening(store, client, blade, say) {
     const first = library.find(({ name }) => name === choice) ?? library[0];
     const { draft, textFaults } = store.get();
     if (doc === null && first)
-      blade.open(structuredClone(first.blade), { choice: first.name, text: first.toml }, { ...afresh({}, first.blade), draft, textFaults });
+      blade.open(structuredClone(first.blade), { choice: first.name, text: first.toml }, null, { ...afresh({}, first.blade), draft, textFaults });
   }
 
   /** A text that is no blade: it stands in its tab with its faults, and the blade before stays where it was. */
@@ -56,7 +56,7 @@ export function startOpening(store, client, blade, say) {
         );
       return true;
     }
-    blade.open(result.value, { choice: built ? choice : OWN, text }, { key, ...(typed ? retyped(result.value) : afresh(view, result.value)) });
+    blade.open(result.value, { choice: built ? choice : OWN, text }, key, typed ? retyped(result.value) : afresh(view, result.value));
     return true;
   }
 
@@ -92,7 +92,7 @@ export function startOpening(store, client, blade, say) {
       begun = true;
       client.drop("parse");
       const sound = good !== null && isBladeShaped(good) ? good : given;
-      blade.open(structuredClone(sound), { choice: OWN, text: null }, afresh(view, sound));
+      blade.open(structuredClone(sound), { choice: OWN, text: null }, null, afresh(view, sound));
       const { doc } = store.get();
       if (sound !== given) {
         await drawn();
@@ -121,14 +121,16 @@ export function startOpening(store, client, blade, say) {
     take((await file.text()).replaceAll("\r\n", "\n"), OWN);
   }
 
-  at("blade-choice").addEventListener("change", ({ target }) => {
-    const built = store.get().library.find((blade) => blade.name === target.value);
+  const list = at("blade-choice");
+  list.addEventListener("change", () => {
+    const built = store.get().library.find((blade) => blade.name === list.value);
     if (built) take(built.toml, built.name);
   });
-  at("open-file").addEventListener("click", () => at("file-input").click());
-  at("file-input").addEventListener("change", async ({ target }) => {
-    await openFile(target.files[0]);
-    target.value = ""; // the same file may be opened again
+  const input = at("file-input");
+  at("open-file").addEventListener("click", () => input.click());
+  input.addEventListener("change", async () => {
+    await openFile(input.files[0]);
+    input.value = ""; // the same file may be opened again
   });
 
   at("drop-draft").addEventListener("click", () => store.set({ draft: null, textFaults: [] }));

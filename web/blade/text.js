@@ -75,7 +75,7 @@ class Editor {
     const numbers = document.createDocumentFragment();
     for (let n = 1; n <= lines; n++) {
       const number = document.createElement("span");
-      number.textContent = n;
+      number.textContent = String(n);
       if (this.#faultLines.has(n)) number.className = "fault";
       numbers.append(number);
     }

@@ -15,7 +15,7 @@ const same = (a, b) => ["length", "mass", "force"].every((key) => a[key] === b[k
 /** Makes the choice of units, and that of the nominal speed's. */
 export function startUnits(store, client, blade, say) {
   const choice = at("units");
-  const speed = at("nominal-unit");
+  const speed = /** @type {HTMLSelectElement} */ (at("nominal-unit"));
 
   async function convert(units) {
     const { doc } = store.get();
@@ -31,8 +31,8 @@ export function startUnits(store, client, blade, say) {
     const now = given(doc.units);
     const known = SETS.findIndex((set) => same(set.units, now));
     choice.replaceChildren(
-      ...SETS.map((set, i) => new Option(set.name, i, false, i === known)),
-      ...(known < 0 ? [new Option(`${now.length}, ${now.mass}, ${now.force}`, -1, false, true)] : []),
+      ...SETS.map((set, i) => new Option(set.name, String(i), false, i === known)),
+      ...(known < 0 ? [new Option(`${now.length}, ${now.mass}, ${now.force}`, "-1", false, true)] : []),
     );
     choice.disabled = false;
     const speedUnit = doc.units?.speed ?? "rad/s";

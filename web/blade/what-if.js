@@ -17,13 +17,14 @@ const OCTAVES = 2;
 /** Farthest that an offset's slider goes, as a share of the radius. */
 const FARTHEST = 0.3;
 
-function row(name, key, { min, max, step }) {
+/** A slider with its label, its exact field and its unit; `scale` is {min, max, step}, where they are known. */
+function row(name, key, scale) {
   const div = document.createElement("div");
   div.className = "slider";
   div.dataset.key = key;
   const id = `what-if-${key.replace(".", "-")}`;
   const label = Object.assign(document.createElement("label"), { htmlFor: id, textContent: name });
-  const slider = Object.assign(document.createElement("input"), { type: "range", id, min, max, step });
+  const slider = Object.assign(document.createElement("input"), { type: "range", id, ...scale });
   const exact = Object.assign(document.createElement("input"), { type: "text", inputMode: "decimal", ariaLabel: `${name}, exact` });
   const unit = Object.assign(document.createElement("span"), { className: "unit" });
   div.append(label, slider, exact, unit);
@@ -156,7 +157,7 @@ export function startWhatIf(store, client, blade, say) {
   function show(state) {
     const { doc, whatIf } = state;
     if (!isInUnit(state)) return void convert(state);
-    for (const div of rows.children) {
+    for (const div of /** @type {HTMLCollectionOf<HTMLElement>} */ (rows.children)) {
       const { key } = div.dataset;
       const [slider, exact] = div.querySelectorAll("input");
       const value = valueOf(key, state);
@@ -176,7 +177,8 @@ export function startWhatIf(store, client, blade, say) {
   }
 
   rows.addEventListener("input", ({ target }) => {
-    const { key } = target.closest(".slider").dataset;
+    if (!(target instanceof HTMLInputElement)) return;
+    const { key } = target.closest("div").dataset;
     if (target.type === "range") {
       const value = key.startsWith("offsets") ? target.valueAsNumber : Number((2 ** target.valueAsNumber).toPrecision(4));
       return choose(key, value);

@@ -44,11 +44,18 @@ export function startHover(chart, read, onSpeed) {
   let place = null; // {point} of the pointer, or {label, speed} of the keys
   let shown = null; // the point that is shown, or is to be as soon as its numbers are there
 
-  function hide() {
-    place = null;
+  /** Shows no point; gives null, as there are no lines of it. */
+  function clear() {
     shown = null;
     box.hidden = true;
     chart.layers.hover.replaceChildren();
+    return null;
+  }
+
+  /** Shows no point, and forgets what was meant. */
+  function hide() {
+    place = null;
+    return clear();
   }
 
   /** Shows a point at once and its numbers as soon as they are there; resolves to the lines. */
@@ -71,6 +78,10 @@ export function startHover(chart, read, onSpeed) {
     return lines;
   }
 
+  /**
+   * Shows what is meant now.
+   * @returns {Promise<string[] | null> | null} the lines once they are there; null where there is no point to show
+   */
   function show() {
     const { frame } = chart;
     if (frame === null || place === null) return hide();
@@ -78,12 +89,7 @@ export function startHover(chart, read, onSpeed) {
       if (!frame.holds(place.point, 2)) return hide();
       const found = nearest(frame, place.point);
       const scale = host.clientWidth / frame.width;
-      if (found === null || found.distance * scale > place.reach) {
-        shown = null;
-        box.hidden = true;
-        chart.layers.hover.replaceChildren();
-        return;
-      }
+      if (found === null || found.distance * scale > place.reach) return clear();
       return put(found);
     }
     const points = frame.points(place.speed);
@@ -144,8 +150,8 @@ export function startHover(chart, read, onSpeed) {
       if (end !== undefined) place.speed = [from, to][end];
     }
     const coming = show();
-    if (coming instanceof Promise) coming.then((lines) => lines && (said.textContent = lines.join(", ")));
-    else said.textContent = "The branch leaves the chart here.";
+    if (coming === null) said.textContent = "The branch leaves the chart here.";
+    else coming.then((lines) => lines && (said.textContent = lines.join(", ")));
   });
   host.addEventListener("blur", () => !place?.point && hide());
   chart.onShow(show);

@@ -22,7 +22,7 @@ export function showSpeed(state) {
   // A window on the chart leaves the slider as long as it is.
   const last = state.window === null ? speeds.at(-1) : Math.max(WHOLE * nominal.speed_rad_s, speeds.at(-1));
   const longest = last / unitFactor(state, state.speedUnit);
-  slider.step = sliderStep(longest);
+  slider.step = String(sliderStep(longest));
   slider.max = fieldNumber(longest);
   const speed = shownSpeed(state.speed, state);
   slider.value = speed;
@@ -41,9 +41,10 @@ export function startSpeed(store) {
   });
   number.addEventListener("blur", () => showSpeed(store.get()));
   at("nominal").addEventListener("click", () => store.set({ speed: null }));
-  at("speed-unit").addEventListener("change", ({ target }) => store.set({ speedUnit: target.value }));
+  const unit = at("speed-unit");
+  unit.addEventListener("change", () => store.set({ speedUnit: unit.value }));
   store.subscribe((state, changed) => {
-    if (changed.has("speedUnit") || changed.has("about")) at("speed-unit").value = state.speedUnit;
+    if (changed.has("speedUnit") || changed.has("about")) unit.value = state.speedUnit;
   });
   return (speed) => {
     const step = Number(slider.step);

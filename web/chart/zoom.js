@@ -33,7 +33,7 @@ export function scaledRange([from, to], centre, factor, [least, most], smallest)
 /** Makes all ways to zoom; they set `window` of the state. */
 export function startZoom(chart, store) {
   const { host } = chart;
-  const buttons = Object.fromEntries(["zoom-out", "zoom-in", "zoom-box", "zoom-reset"].map((id) => [id, at(id)]));
+  const buttons = { out: at("zoom-out"), in: at("zoom-in"), box: at("zoom-box"), reset: at("zoom-reset") };
   let whole = null; // both axes of the chart as it is without a window
   let boxing = false;
   const fingers = new Map();
@@ -82,7 +82,7 @@ export function startZoom(chart, store) {
 
   function toggleBox(on) {
     boxing = on;
-    buttons["zoom-box"].setAttribute("aria-pressed", String(on));
+    buttons.box.setAttribute("aria-pressed", String(on));
     host.classList.toggle("boxing", on);
     if (!on) chart.layers.box.replaceChildren();
   }
@@ -140,7 +140,7 @@ export function startZoom(chart, store) {
     fingers.set(event.pointerId, chart.point(event));
     if (fingers.size === 2) pinched();
   });
-  for (const type of ["pointerup", "pointercancel"]) {
+  for (const type of /** @type {const} */ (["pointerup", "pointercancel"])) {
     addEventListener(type, (event) => {
       fingers.delete(event.pointerId);
       pinch = null;
@@ -167,10 +167,10 @@ export function startZoom(chart, store) {
     else if (event.key === "0") reset();
     else if (event.key === "Escape" && boxing) toggleBox(false);
   });
-  buttons["zoom-in"].addEventListener("click", () => zoom(STEP));
-  buttons["zoom-out"].addEventListener("click", () => zoom(1 / STEP));
-  buttons["zoom-box"].addEventListener("click", () => toggleBox(!boxing));
-  buttons["zoom-reset"].addEventListener("click", reset);
+  buttons.in.addEventListener("click", () => zoom(STEP));
+  buttons.out.addEventListener("click", () => zoom(1 / STEP));
+  buttons.box.addEventListener("click", () => toggleBox(!boxing));
+  buttons.reset.addEventListener("click", reset);
 
   chart.onShow((frame) => {
     if (frame === null) return toggleBox(false);
@@ -183,6 +183,6 @@ export function startZoom(chart, store) {
     }
   });
   store.subscribe((state, changed) => {
-    if (changed.has("window")) buttons["zoom-reset"].disabled = state.window === null;
+    if (changed.has("window")) buttons.reset.disabled = state.window === null;
   });
 }

@@ -14,6 +14,12 @@ export function at(id) {
 }
 
 /**
+ * The element that an event came to.
+ * @param {Event} event
+ */
+export const targetOf = (event) => /** @type {HTMLElement} */ (event.target);
+
+/**
  * A new element with these properties; `dataset` and `aria` are tables of their own.
  * @template {keyof HTMLElementTagNameMap} Tag
  * @param {Tag} tag

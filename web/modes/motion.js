@@ -86,8 +86,9 @@ export function startMotion(store, client) {
   const detail = make("p", { className: "note", id: "motion-detail" });
   const play = make("button", { type: "button", id: "motion-play" });
   const views = make("fieldset", { className: "views" }, make("legend", { textContent: "Seen from" }));
+  const radios = {};
   for (const [name, words] of Object.entries(VIEWS)) {
-    const radio = make("input", { type: "radio", name: "motion-view", value: name, id: `motion-${name}` });
+    const radio = (radios[name] = make("input", { type: "radio", name: "motion-view", value: name, id: `motion-${name}` }));
     radio.addEventListener("change", () => {
       view = name;
       setStage();
@@ -181,7 +182,7 @@ export function startMotion(store, client) {
     if (shape === null || mode === null) return;
     const { dof } = shape;
     const shown = view ?? BEST[dof];
-    at(`motion-${shown}`).checked = true;
+    radios[shown].checked = true;
     const { r_m: radii, radius_m: radius } = report.value;
     const coarse = (values) => values.filter((_, i) => i % COARSE === 0 || i === values.length - 1);
     const ratio = radii.map((r) => r / radius);
@@ -238,6 +239,11 @@ export function startMotion(store, client) {
     return words.join(" ");
   }
 
+  /**
+   * The mark of a root of this kind.
+   * @param {string} kind
+   * @param {number[]} place on the stage
+   */
   function rootMark(kind, [x, y]) {
     if (kind === "hingeless" || kind === "rigid") return [element("rect", { x: x - 4, y: y - 6, width: 8, height: 12 })];
     const circle = element("circle", { cx: x, cy: y, r: 4 });

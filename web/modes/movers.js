@@ -17,13 +17,13 @@ const HARDLY = 1e-3;
 const MOST_MODES = 3;
 const IDLE_MS = 300;
 
-/** What holds a mode of this kind, the usual first: [name, its path in the blade file]. */
+/** What holds a mode of this kind, the usual first: {name, what}, the latter its path in the blade file. */
 function levers(blade, dof) {
   const name = NAMES[dof];
-  const found = [[`${name} stiffness`, `distribution.${dof}_stiffness`]];
+  const found = [{ name: `${name} stiffness`, what: `distribution.${dof}_stiffness` }];
   const { root, spring, offset, offset_ratio: ratio } = blade[dof] ?? {};
-  if (spring > 0) found.push([`${name} spring`, `${dof}.spring`]);
-  if (root !== "hingeless" && dof !== "torsion" && (offset > 0 || ratio > 0)) found.push([`${name} hinge offset`, `${dof}.offset`]);
+  if (spring > 0) found.push({ name: `${name} spring`, what: `${dof}.spring` });
+  if (root !== "hingeless" && dof !== "torsion" && (offset > 0 || ratio > 0)) found.push({ name: `${name} hinge offset`, what: `${dof}.offset` });
   return found;
 }
 
@@ -67,7 +67,7 @@ export function startMovers(store, client) {
   let upTo; // the last harmonic that is looked at
 
   /** One lever on one mode; null where a newer question has come in. */
-  async function pull(state, mode, [name, what]) {
+  async function pull(state, mode, { name, what }) {
     const options = { ...optionsOf("modes", { ...state, speed: state.solvedSpeed }), dof: [mode.dof], modes: mode.number };
     const ends = [];
     for (const share of [-SHARE, SHARE]) {

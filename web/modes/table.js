@@ -1,6 +1,6 @@
 // The frequency table at one rotor speed. Its rows are the choice of a mode.
 
-import { write } from "../lib/dom.js";
+import { targetOf, write } from "../lib/dom.js";
 import { boundsWords, closestOf, figures, marginWords, paperWords, perRevWords } from "../lib/format.js";
 import { nearness } from "./nearness.js";
 
@@ -20,7 +20,7 @@ function newRow(mode, onChoose) {
   head.append(label);
   row.append(head, ...Array.from({ length: 6 }, () => document.createElement("td")));
   row.addEventListener("click", (event) => {
-    if (event.target.closest("label") !== null || !getSelection().isCollapsed) return;
+    if (targetOf(event).closest("label") !== null || !getSelection().isCollapsed) return;
     radio.focus({ preventScroll: true });
     radio.click();
   });

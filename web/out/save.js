@@ -1,6 +1,6 @@
 // The download menu: what each entry saves.
 
-import { at } from "../lib/dom.js";
+import { at, targetOf } from "../lib/dom.js";
 import { textFormat } from "../lib/format.js";
 import { convergeCsv, download, fanCsv, fileName, png, shapesCsv } from "./download.js";
 
@@ -45,8 +45,8 @@ export function startSaving(store, client, say) {
       if (store.get().drawing !== null) await make(store.get());
     });
   }
-  addEventListener("pointerdown", ({ target }) => {
-    if (!menu.contains(target)) menu.open = false;
+  addEventListener("pointerdown", (event) => {
+    if (!menu.contains(targetOf(event))) menu.open = false;
   });
   menu.addEventListener("keydown", ({ key }) => {
     if (key === "Escape") menu.open = false;

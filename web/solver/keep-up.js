@@ -78,11 +78,11 @@ export function startKeepingUp(store, client) {
 
   async function draw(state, solved) {
     const kind = kindOf(state.tab);
-    const looks = looksOf(kind, state);
     const ours = held;
-    if (kind === "fan" && state.window === null) looks.frequencies = held.axis;
+    const isWhole = kind === "fan" && state.window === null;
+    const looks = { ...looksOf(kind, state), ...(isWhole ? { frequencies: held.axis } : {}) };
     const result = await client.call("draw", "chart_svg", kind, solved.given, looks);
-    if (kind === "fan" && state.window === null && result?.status === "ok") {
+    if (isWhole && result?.status === "ok") {
       const { from, to } = result.value.plots[0].y;
       ours.axis ??= [from, to];
     }

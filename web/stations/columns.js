@@ -34,6 +34,7 @@ const plain = (text) =>
 export const headerUnit = (text) =>
   (/\[([^\]]*)\]/.exec(text)?.[1] ?? [...text.matchAll(/\(([^)]*)\)/g)].map(([, words]) => words).find((words) => UNIT.test(words)))?.trim() ?? null;
 
+/** @type {[string, RegExp][]} */
 const NAMES = [
   [RADIUS, /^(r|x|radius|radii|radial (station|position|location|coordinate)|(blade|span|spanwise|radial) station|span|station radius|r m+|r in)$/],
   ["torsion_stiffness", /^gj\b|^g j$|^(?!.*inertia).*\btorsion/],

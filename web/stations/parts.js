@@ -66,7 +66,8 @@ export function formSelect(id, choose) {
     { aria: { label: `${name} given` }, dataset: { form: id } },
     ...Object.entries(options).map(([form, words]) => new Option(words, form)),
   );
-  if (!optional) select.querySelector('[value="absent"]').hidden = true;
+  const absent = /** @type {HTMLOptionElement} */ (select.querySelector('[value="absent"]'));
+  absent.hidden = !optional;
   select.addEventListener("change", () => (select.value = choose(select.value)));
   return [select];
 }

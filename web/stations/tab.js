@@ -239,7 +239,7 @@ export function startStations(store, blade) {
     pages.replaceChildren(
       ...Array.from(
         { length: Math.ceil(rows / PAGE_ROWS) },
-        (_, i) => new Option(`${i * PAGE_ROWS + 1}–${Math.min(rows, (i + 1) * PAGE_ROWS)}`, i, false, i === page),
+        (_, i) => new Option(`${i * PAGE_ROWS + 1}–${Math.min(rows, (i + 1) * PAGE_ROWS)}`, String(i), false, i === page),
       ),
     );
   }

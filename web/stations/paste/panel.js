@@ -125,8 +125,9 @@ export function startPasting({ store, change, say, sheet, grid, jump }) {
     return [`${size} ${done}${named}`, ...more, ...notes].join("; ");
   }
 
-  /** A whole table: {block, to} or {words}. */
+  /** A whole table: {block, to}, or {words} where there is none. */
   function plan(text) {
+    if (text.trim() === "") return { words: "" };
     const block = readBlock(text);
     if (block.refused) return { words: block.refused };
     const ids = [RADIUS, ...PROPERTIES.map(({ id }) => id)];
@@ -134,18 +135,18 @@ export function startPasting({ store, change, say, sheet, grid, jump }) {
     if (block.header === null && width > ids.length)
       return { words: `The table has ${width} columns, the sheet ${ids.length}: name them in a first row.` };
     const names = block.header === null ? { to: ids.slice(0, width) } : mapped(block.header, ids);
-    if (names.words) return names;
+    if (names.words) return { words: names.words };
     if (!names.to.includes(RADIUS)) return { words: NO_RADII };
     if (width < 2) return { words: "A table has radii and at least one property." };
     return { block, to: names.to };
   }
 
   function preview(text) {
-    const { block, to, words: refused } = text.trim() === "" ? {} : plan(text);
+    const { block, to, words: refused } = plan(text);
     use.disabled = block === undefined;
     words.textContent =
       block === undefined
-        ? (refused ?? "")
+        ? refused
         : `${sentence(block, to, store.get().doc.units, "understood", `: ${listWords(to.filter((id) => id !== null).map((id) => column(id).name))}`)}.`;
   }
 

@@ -1,7 +1,7 @@
 // The grid: cells, focus, selection and typing as in a spreadsheet. It knows nothing of blades; what
 // stands in its cells comes with each `show`, what is done goes out through `on`.
 
-import { make } from "../../lib/dom.js";
+import { make, targetOf } from "../../lib/dom.js";
 import { CellEditor } from "./editor.js";
 import { bindKeys } from "./keys.js";
 
@@ -138,7 +138,7 @@ export class Grid {
       this.#body.replaceChildren();
     }
     for (const { id, form } of columns) {
-      const select = this.#head.querySelector(`[data-column="${id}"] select`);
+      const select = /** @type {HTMLSelectElement} */ (this.#head.querySelector(`[data-column="${id}"] select`));
       if (select) select.value = form;
     }
   }
@@ -200,7 +200,7 @@ export class Grid {
     let again = false; // pressed on the cell that was focused already
     this.table.addEventListener("pointerdown", (event) => {
       const place = placeOf(event.target);
-      if (place === null || event.target.tagName === "INPUT" || event.button !== 0) return;
+      if (place === null || targetOf(event).tagName === "INPUT" || event.button !== 0) return;
       again = place.row === this.active.row && place.col === this.active.col && this.table.contains(document.activeElement);
       if (event.pointerType === "touch") return; // the finger may be about to scroll
       dragging = event.pointerType === "mouse";
@@ -213,7 +213,7 @@ export class Grid {
       } else this.go(place.row, place.col, extend);
     };
     this.table.addEventListener("mousedown", (event) => {
-      if (placeOf(event.target) !== null && event.target.tagName !== "INPUT") event.preventDefault();
+      if (placeOf(event.target) !== null && targetOf(event).tagName !== "INPUT") event.preventDefault();
     });
     this.table.addEventListener("pointerover", (event) => {
       const place = placeOf(event.target);
@@ -222,12 +222,12 @@ export class Grid {
     addEventListener("pointerup", () => (dragging = false));
     this.table.addEventListener("click", (event) => {
       const place = placeOf(event.target);
-      if (event.pointerType !== "touch" || place === null || event.target.tagName === "INPUT") return;
+      if (event.pointerType !== "touch" || place === null || targetOf(event).tagName === "INPUT") return;
       if (again) this.editor.begin();
       else press(place, false);
     });
     this.table.addEventListener("dblclick", (event) => {
-      if (event.target.tagName === "TD") this.editor.begin();
+      if (targetOf(event).tagName === "TD") this.editor.begin();
     });
   }
 }
