@@ -8,6 +8,9 @@ use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
     let Ok(question) = bladefan_fuzz::question(bytes) else { return };
+    if std::env::var_os("BLADEFAN_SHOW").is_some() {
+        eprintln!("{}\n{:?}, chart to {} rad/s", question.text, question.options, question.fastest);
+    }
     let Ok(file) = read(&question.text, Format::Json) else { return };
     let mut settings = Settings::default();
     for (name, value) in &question.options {
