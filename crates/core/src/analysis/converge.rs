@@ -18,6 +18,9 @@ use alloc::string::ToString;
 use alloc::vec;
 use alloc::vec::Vec;
 
+/// One polynomial more per element costs about so many times the last one.
+const ONE_MORE: f64 = 1.5;
+
 /// Frequency against the number of assumed functions at one speed. The functions are nested, so
 /// the matrices of fewer functions are leading parts of those of the most.
 ///
@@ -73,7 +76,7 @@ pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Fa
 }
 
 /// Modes with more and more piecewise functions: one polynomial per element, two, three, … until
-/// they are converged.
+/// they are converged, or too much work.
 fn piecewise_steps(
     blade: &Blade,
     dof: Dof,
@@ -82,13 +85,15 @@ fn piecewise_steps(
     rules: &GaussRules,
 ) -> Result<Vec<(usize, Vec<Mode>)>, Faults> {
     let mut steps = Vec::new();
+    let work = Work::default();
     for order in 1..=MOST_ORDER {
+        let before = work.left();
         let cause = |cause| unsolvable(SolveError { dofs: system(dof).dofs, cause });
-        let found = Converged::with_order(blade, dof, speed * speed, count, order, rules).map_err(cause)?;
+        let found = Converged::with_order(blade, dof, speed * speed, count, order, rules, &work).map_err(cause)?;
         let modes = available(found.matrices(), speed * speed, count).map_err(unsolvable)?;
         let done = found.error() <= TOLERANCE && modes.len() == count;
         steps.push((found.count(), modes));
-        if done {
+        if done || work.left() < ONE_MORE * (before - work.left()) {
             break;
         }
     }

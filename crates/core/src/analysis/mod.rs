@@ -56,7 +56,8 @@ fn note(warnings: &mut Vec<Warning>, dof: Dof, error: f64) {
     let message = if error.is_nan() {
         format!("{dof} frequencies are of unknown error")
     } else if error > TOLERANCE {
-        format!("{dof} frequencies are converged to {:.0e} only, not to {TOLERANCE:.0e}", 0.5 * error)
+        // A frequency has half the error of its eigenvalue.
+        format!("{dof} frequencies are converged to {:.0e} only, not to {:.0e}", 0.5 * error, 0.5 * TOLERANCE)
     } else {
         return;
     };

@@ -186,11 +186,12 @@ impl Converged {
         count: usize,
         order: usize,
         rules: &GaussRules,
+        work: &Work,
     ) -> Result<Self, EigenError> {
         let mut layout = first_layout(blade, dof, speed_squared, count);
         layout.orders.fill(order);
         let elements = Elements::new(blade, dof, &layout, rules);
-        Ok(Self::on(elements, &Wanted::at(speed_squared, count), rules, false, &Work::default())?.0)
+        Ok(Self::on(elements, &Wanted::at(speed_squared, count), rules, false, work)?.0)
     }
 
     /// Inverse iteration on one mesh; with the largest share that each element has in the errors.

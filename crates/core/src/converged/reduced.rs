@@ -189,7 +189,7 @@ mod tests {
     #[test]
     fn the_shares_of_the_elements_make_up_the_error() {
         let (blade, rules) = (stepped(), GaussRules::new());
-        let found = Converged::with_order(&blade, Dof::Flap, 1e4, 1, 3, &rules).unwrap();
+        let found = Converged::with_order(&blade, Dof::Flap, 1e4, 1, 3, &rules, &Work::default()).unwrap();
         let elements = &found.elements;
         let from_tip = FromTip::new(elements.fine_grid(), &rules);
         let mut shares = vec![0.0; elements.mesh.orders().len()];
@@ -207,7 +207,7 @@ mod tests {
     fn fields_carry_the_energies_of_the_matrices() {
         let (blade, rules) = (stepped(), GaussRules::new());
         for dof in Dof::ALL {
-            let found = Converged::with_order(&blade, dof, 1e4, 3, 8, &rules).unwrap();
+            let found = Converged::with_order(&blade, dof, 1e4, 3, 8, &rules, &Work::default()).unwrap();
             let grid = found.elements.fine_grid();
             let n = found.found.matrices.count();
             let fields = found.found.fields(&found.elements, &DMatrix::identity(n, n));

@@ -112,7 +112,7 @@ fn the_error_falls_exponentially_with_the_order() {
     let (rules, blade) = (GaussRules::new(), stepped());
     let errors: Vec<f64> = [4, 7, 10]
         .into_iter()
-        .map(|order| Converged::with_order(&blade, Dof::Flap, 0.0, 3, order, &rules).unwrap().error())
+        .map(|order| Converged::with_order(&blade, Dof::Flap, 0.0, 3, order, &rules, &Work::default()).unwrap().error())
         .collect();
     assert!(errors[1] < 1e-2 * errors[0] && errors[2] < 1e-2 * errors[1], "{errors:?}");
 }
