@@ -32,10 +32,10 @@ pub fn compare(blade: &Blade, points: &[MeasuredPoint], settings: &Settings) -> 
             points.iter().enumerate().filter_map(|(index, point)| Some((index, branch(point)?))).collect();
         let squares = own.iter().map(|&(index, _)| points[index].speed_rad_s * points[index].speed_rad_s);
         let (Some(from), Some(to)) = (squares.clone().reduce(f64::min), squares.reduce(f64::max)) else { continue };
-        let curves = fitted(blade, dof, settings, (from, to), to, &rules)?.curves;
+        let found = fitted(blade, dof, settings, (from, to), to, &rules)?;
         for (index, branch) in own {
             let speed = points[index].speed_rad_s;
-            computed[index] = curves.eigenvalues(speed * speed).get(branch).map(|&value| frequency(value));
+            computed[index] = found.eigenvalues(speed * speed).get(branch).map(|&value| frequency(value));
         }
     }
     let compared = points.iter().zip(computed).map(|(point, computed_rad_s)| {

@@ -2,7 +2,7 @@
 
 use super::basis::solve;
 use super::fitted::{Fitted, fitted};
-use super::{Settings, frequency, margin, note, note_fewer, warnings};
+use super::{Settings, frequency, margin, note, note_crossings, note_fewer, warnings};
 use crate::blade::Blade;
 use crate::fan::meet_rays;
 use crate::fault::Faults;
@@ -39,11 +39,10 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
     for dof in settings.ordered_dofs() {
         // From rest, where the Southwell coefficients are taken, past nominal speed.
         let squares = (range.from * range.from, range.to * range.to);
-        let Fitted { basis, at_rest, curves, error } =
-            fitted(blade, dof, settings, squares, highest * highest, &rules)?;
+        let found = fitted(blade, dof, settings, squares, highest * highest, &rules)?;
+        let Fitted { basis, at_rest, curves, .. } = &found;
         let matrices = basis.matrices();
         chart.basis.functions.set(dof, basis.count());
-        note(&mut chart.warnings, dof, error);
         note_fewer(&mut chart.warnings, dof, at_rest.len(), settings.modes);
         chart.branches.extend(at_rest.iter().enumerate().map(|(index, mode)| Branch {
             label: Label::new(dof, index + 1),
@@ -54,12 +53,14 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
         }));
         let first = chart.branches.len() - at_rest.len();
         for speed in &chart.speeds_rad_s {
-            let values = curves.eigenvalues(speed * speed);
+            let values = found.eigenvalues(speed * speed);
             for (branch, value) in chart.branches[first..].iter_mut().zip(values) {
                 branch.frequency_rad_s.push(frequency(value));
             }
         }
-        let rays = meet_rays(&curves, settings.harmonics);
+        note(&mut chart.warnings, dof, found.error());
+        note_crossings(&mut chart.warnings, dof, curves.error());
+        let rays = meet_rays(curves, settings.harmonics);
         chart.crossings.extend(rays.crossings.iter().map(|crossing| Crossing {
             label: Label::new(dof, crossing.branch + 1),
             harmonic: crossing.harmonic,

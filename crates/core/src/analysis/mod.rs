@@ -30,7 +30,7 @@ use crate::label::Label;
 use crate::lagrange::SystemMatrices;
 use crate::modes::{Mode, SolveError, solve as solve_modes};
 use crate::numerics::eigen::EigenError;
-use crate::numerics::scalar::{maximum, round, sqrt};
+use crate::numerics::scalar::{is_above, maximum, round, sqrt};
 use crate::report::Margin;
 use alloc::format;
 use alloc::string::ToString;
@@ -62,6 +62,15 @@ fn note(warnings: &mut Vec<Warning>, dof: Dof, error: f64) {
         return;
     };
     warnings.push(Warning { path: dof.name().to_string(), message });
+}
+
+/// Says so where branches turn too sharply for their curves, on which crossings are found.
+fn note_crossings(warnings: &mut Vec<Warning>, dof: Dof, error: f64) {
+    if is_above(error, TOLERANCE) {
+        let message =
+            format!("{dof} crossings are found to {:.0e} only: branches turn too sharply for curves", 0.5 * error);
+        warnings.push(Warning { path: dof.name().to_string(), message });
+    }
 }
 
 /// ω of an eigenvalue of fitted curves. Those of one degree of freedom are not negative, or the

@@ -338,6 +338,11 @@ impl Converged {
         self.found.error_of(&self.elements, coordinates, values, speed_squared, &self.from_tip)
     }
 
+    /// About what it takes to find the modes of so many speeds on these elements.
+    pub fn work_for(&self, speeds: usize, count: usize) -> f64 {
+        self.elements.effort().at_each(speeds, count)
+    }
+
     /// The Ω² half way, in rotor speed, between those whose modes the functions are, but for those at which
     /// these were checked: their errors are among [`error`](Self::error).
     pub fn between(&self) -> Vec<f64> {

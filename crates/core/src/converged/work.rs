@@ -6,7 +6,7 @@ use core::cell::Cell;
 /// answer, and its error says how good it is. Ordinary blades need a hundredth.
 const AT_ONE_SPEED: f64 = 3e8;
 /// The same over a range of speeds.
-const OVER_A_RANGE: f64 = 9e8;
+const OVER_A_RANGE: f64 = 5.5e8;
 
 /// What is left to spend on one degree of freedom, in multiplications.
 #[derive(Clone, Debug)]
@@ -70,9 +70,16 @@ impl Effort {
         }
     }
 
-    /// One more function beside so many.
+    /// One more function beside so many; what is read from memory costs more than what is multiplied.
     pub(super) fn function(&self, beside: usize) -> f64 {
-        (5 * beside + 20) as f64 * self.unknowns + 7.0 * self.displacement
+        (10 * beside + 20) as f64 * self.unknowns + 7.0 * self.displacement
+    }
+
+    /// The modes of so many speeds, each found by itself, as functions for all.
+    pub(super) fn at_each(&self, speeds: usize, modes: usize) -> f64 {
+        let functions = |count: usize| count as f64 * self.function(count / 2);
+        let each = functions(4 * modes + 2) + self.factor + 3.0 * Self::modes(3 * modes);
+        speeds as f64 * each + functions(speeds * modes)
     }
 
     /// The modes within so many functions.
@@ -89,7 +96,7 @@ impl Effort {
     /// The residual moments of so many modes, as sums of functions.
     pub(super) fn moments(&self, functions: usize, modes: usize) -> f64 {
         let (n, m) = (functions as f64, modes as f64);
-        m * (n * self.unknowns + self.fields + m * self.points)
+        m * (2.0 * n * self.unknowns + self.fields + m * self.points)
     }
 }
 

@@ -63,6 +63,8 @@ struct Piece {
     /// On the scale.
     nodes: Vec<f64>,
     rows: Vec<Vec<f64>>,
+    /// Largest relative error found; 0 where the tolerance was reached.
+    error: f64,
 }
 
 /// One branch at one Ω².
@@ -131,6 +133,7 @@ impl Curves {
             let mut piece = Piece {
                 nodes: (0..=FIRST_DEGREE).map(|i| node(from, to, FIRST_DEGREE, i)).collect(),
                 rows: Vec::new(),
+                error: 0.0,
             };
             let before = left();
             piece.rows = piece.nodes.iter().map(|&t| row(t)).collect::<Result<_, _>>()?;
@@ -149,8 +152,8 @@ impl Curves {
                 if enough || !goes_on {
                     if !enough {
                         // The half of the degree tells where the check happens to stand well.
-                        let error = maximum(coarse_error, piece.error(from, to, worst, row)?);
-                        curves.error = maximum(curves.error, error);
+                        piece.error = maximum(coarse_error, piece.error(from, to, worst, row)?);
+                        curves.error = maximum(curves.error, piece.error);
                     }
                     curves.pieces.push(piece);
                     break;
@@ -174,6 +177,11 @@ impl Curves {
     /// reached their tolerance everywhere.
     pub fn error(&self) -> f64 {
         self.error
+    }
+
+    /// Whether the curves follow the branches at Ω² = `speed_squared` to their tolerance.
+    pub fn follow(&self, speed_squared: f64) -> bool {
+        self.piece(self.scale.at(speed_squared)).is_some_and(|piece| piece.error == 0.0)
     }
 
     /// Number of branches.

@@ -67,7 +67,7 @@ impl core::error::Error for SolveError {}
 
 /// Multiplications of finding eigenvalues alone, and with their shapes, by the cube of the order.
 pub const VALUES_PER_CUBE: f64 = 4.0;
-const SHAPES_PER_CUBE: f64 = 10.0;
+const SHAPES_PER_CUBE: f64 = 4.0;
 
 /// Eigenvalues without their shapes.
 #[derive(Clone, Debug)]
