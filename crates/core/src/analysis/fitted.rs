@@ -36,6 +36,7 @@ const FUNCTIONS_PER_BEND: f64 = 0.8;
 const FEW_BENDS: usize = 4;
 /// More functions may take this part of the work that is left, and the fit the rest.
 const FUNCTIONS_SHARE: f64 = 0.5;
+
 /// Branches of one degree of freedom.
 pub(super) struct Fitted {
     pub(super) basis: Basis,
