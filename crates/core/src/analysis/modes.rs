@@ -95,3 +95,37 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Faults> 
 pub fn margins(report: &ModesReport) -> Vec<Margin> {
     report.modes.iter().filter_map(|mode| Some(margin(mode.label, mode.per_rev?))).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blade::{BladeDefinition, Property, RootDefinition, check};
+    use crate::dof::Dof;
+
+    /// Free in lag about the axis: exactly 0 at every speed, also where heavy blocks on soft stretches make
+    /// the other eigenvalues come from their own fields.
+    #[test]
+    fn what_is_free_stays_at_zero_between_heavy_blocks() {
+        let r = [0.0, 0.3323, 0.3323, 0.3333, 0.3333, 0.6658, 0.6658, 0.6668, 0.6668, 0.9995, 0.9995, 1.0005];
+        let blocks = |soft: f64, heavy: f64| -> [(f64, f64); 12] {
+            core::array::from_fn(|i| (r[i], if i % 4 < 2 { soft } else { heavy }))
+        };
+        let blade = BladeDefinition::new("wells", 1.0005, 1.0)
+            .with_flap(RootDefinition::hinged(0.0))
+            .with_lag(RootDefinition::hinged(0.0))
+            .with_torsion(RootDefinition::rigid(0.0))
+            .with(Property::Mass, blocks(1.0, 5.097e8))
+            .with(Property::FlapStiffness, blocks(1.0, 10650.0))
+            .with(Property::LagStiffness, blocks(3.0, 31950.0))
+            .with(Property::TorsionStiffness, blocks(1.0, 10650.0))
+            .with(Property::PolarInertia, blocks(1.0, 1.0));
+        let blade = check(&blade).unwrap();
+        for speed in [0.012, 0.1, 0.7, 1.2] {
+            let settings = Settings { speed: Some(speed), dofs: alloc::vec![Dof::Lag], ..Settings::default() };
+            let report = modes(&blade, &settings).unwrap();
+            let first = &report.modes[0];
+            assert_eq!((first.frequency_rad_s, first.lower_rad_s, first.upper_rad_s), (0.0, Some(0.0), Some(0.0)));
+            assert!(report.modes.iter().all(|mode| mode.frequency_rad_s >= 0.0), "{speed}: {:?}", report.modes);
+        }
+    }
+}

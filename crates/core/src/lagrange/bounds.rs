@@ -10,7 +10,7 @@ use super::grid::{Grid, Panel};
 use super::residual::residual_moments;
 use crate::blade::RootCondition;
 use crate::numerics::eigen::lowest;
-use crate::numerics::scalar::sqrt;
+use crate::numerics::scalar::{maximum, sqrt};
 use alloc::vec;
 use alloc::vec::Vec;
 use nalgebra::{DMatrix, DVector};
@@ -96,11 +96,16 @@ pub fn bounds(
     };
     let mut least = 0.0_f64;
     let eigenvalues: Vec<f64> = match &refined {
-        Some((values, _)) => values.iter().map(|value| value - shift).collect(),
+        // What is 0 is exact, and no other frequency may be the root of a negative rounding.
+        Some((values, _)) => {
+            let unshifted =
+                |(value, given): (&f64, &f64)| if *given == 0.0 { 0.0 } else { maximum(value - shift, 0.0) };
+            values.iter().zip(ritz).map(unshifted).collect()
+        }
         None => ritz.to_vec(),
     };
     for (mode, (&value, rounding)) in eigenvalues.iter().zip(&rounding).enumerate() {
-        if value == 0.0 {
+        if ritz[mode] == 0.0 {
             intervals.push(Interval { lower: 0.0, upper: 0.0 });
             continue;
         }
