@@ -20,12 +20,11 @@ use crate::lagrange::{Fields, FromTip, Grid, SystemMatrices};
 use crate::numerics::eigen::EigenError;
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::sqrt;
-use alloc::vec;
 use alloc::vec::Vec;
 use elements::{Elements, Factor};
 use layout::first_layout;
 use nalgebra::DMatrix;
-use reduced::Reduced;
+use reduced::{Checked, Reduced};
 use refine::raise;
 use subspace::Subspace;
 pub use work::Work;
@@ -229,15 +228,7 @@ impl Converged {
             }
             let found = Reduced::new(&elements, &subspace, &anchors, count)?;
             work.spend(elements.effort().reduction(subspace.len(), found.matrices.count()));
-            let mut error = 0.0_f64;
-            let mut shares = vec![0.0; elements.mesh.orders().len()];
-            // The last one is at the end of the range, where the modes are counted, too.
-            let mut values = Vec::new();
-            for s in wanted.checks() {
-                let own;
-                (own, values) = found.check(&elements, s, count, &from_tip, &mut shares, work)?;
-                error = error.max(own);
-            }
+            let Checked { error, values, shares } = found.checked(&elements, wanted, &from_tip, work)?;
             let helped = error <= WORTHWHILE * last && !subspace.is_exhausted();
             let many = count * ANCHORS.len() > MOST_FUNCTIONS;
             let wider = wanted.is_range() && !wanted.is_too_wide(error) && !widened && !many;
@@ -299,13 +290,7 @@ impl Converged {
                 all.push(mode);
             }
             let found = Reduced::whole(&elements, &all);
-            let (mut error, mut values) = (0.0_f64, Vec::new());
-            let mut shares = vec![0.0; elements.mesh.orders().len()];
-            for s in wanted.checks() {
-                let own;
-                (own, values) = found.check(&elements, s, wanted.count, &from_tip, &mut shares, work)?;
-                error = error.max(own);
-            }
+            let Checked { error, values, shares } = found.checked(&elements, wanted, &from_tip, work)?;
             let counted = counted(&elements, &values, wanted.range.1, error, work);
             if counted.is_none() && work.left() > 0.0 {
                 loaded = loads.next().copied();

@@ -1,5 +1,6 @@
 //! The few functions that come out of the many: the span of the modes at some speeds.
 
+use super::Wanted;
 use super::elements::Elements;
 use super::subspace::Subspace;
 use super::work::{Effort, Work};
@@ -19,6 +20,17 @@ pub(super) struct Reduced {
     /// Their strain coefficients; the rigid motion has none.
     pub(super) coefficients: DMatrix<f64>,
     pub(super) matrices: SystemMatrices,
+}
+
+/// How good the modes are where they were checked.
+pub(super) struct Checked {
+    /// The largest relative error of an eigenvalue.
+    pub(super) error: f64,
+    /// The eigenvalues at the last speed, the end of the range, where the modes are counted, too; in lag with
+    /// the shift.
+    pub(super) values: Vec<f64>,
+    /// The largest error that each element is to blame for.
+    pub(super) shares: Vec<f64>,
 }
 
 impl Reduced {
@@ -52,6 +64,24 @@ impl Reduced {
         let n = subspace.len();
         let matrices = assemble(elements.grid(), subspace.energies(), rigid == 1);
         Self { coefficients: subspace.coefficients(&DMatrix::identity(n - rigid, n - rigid)), matrices }
+    }
+
+    /// The modes at all speeds where they are to be checked.
+    pub(super) fn checked(
+        &self,
+        elements: &Elements,
+        wanted: &Wanted,
+        from_tip: &FromTip,
+        work: &Work,
+    ) -> Result<Checked, EigenError> {
+        let shares = vec![0.0; elements.mesh.orders().len()];
+        let mut checked = Checked { error: 0.0, values: Vec::new(), shares };
+        for s in wanted.checks() {
+            let own;
+            (own, checked.values) = self.check(elements, s, wanted.count, from_tip, &mut checked.shares, work)?;
+            checked.error = checked.error.max(own);
+        }
+        Ok(checked)
     }
 
     /// The largest relative error of the `count` lowest eigenvalues at Ω² = `s`, and these, in lag with the
