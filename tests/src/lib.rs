@@ -13,6 +13,7 @@ pub mod blades;
 pub mod bracket;
 pub mod cases;
 pub mod closed_forms;
+pub mod coupled;
 pub mod exact;
 pub mod faults;
 pub mod hostile;
