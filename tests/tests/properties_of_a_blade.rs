@@ -23,13 +23,23 @@ fn base() -> BladeDefinition {
     read(BASE_TOML, Format::Toml).unwrap().definition
 }
 
+/// The same with what must be given beside this property.
+fn base_of(property: Property) -> BladeDefinition {
+    let other = match property {
+        Property::FlapInertia => Property::LagInertia,
+        Property::LagInertia => Property::FlapInertia,
+        _ => return base(),
+    };
+    base().with(other, 0.125)
+}
+
 fn of(blade: &BladeDefinition, property: Property) -> Option<PropertyDefinition> {
     blade.distribution.as_ref().unwrap()[property].clone()
 }
 
 /// The only fault of a blade with this value of a property: its code and path.
 fn fault(property: Property, value: impl Into<PropertyDefinition>) -> (FaultCode, String) {
-    let faults = check(&base().with(property, value)).unwrap_err();
+    let faults = check(&base_of(property).with(property, value)).unwrap_err();
     assert_eq!(faults.len(), 1, "{property}: {faults}");
     (faults[0].code, faults[0].path.clone())
 }
@@ -38,7 +48,7 @@ fn fault(property: Property, value: impl Into<PropertyDefinition>) -> (FaultCode
 fn every_property_is_read_and_written() {
     for property in Property::ALL {
         for value in [PropertyDefinition::from(0.375), [(0.0, 0.25), (2.0, 0.5)].into()] {
-            let blade = base().with(property, value);
+            let blade = base_of(property).with(property, value);
             for (text, format) in [(to_toml(&blade), Format::Toml), (to_json(&blade), Format::Json)] {
                 assert!(text.contains(property.key()), "{property}");
                 assert_eq!(read(&text, format).unwrap().definition, blade, "{property}");
@@ -50,7 +60,7 @@ fn every_property_is_read_and_written() {
 #[test]
 fn every_property_is_converted_by_its_unit() {
     for property in Property::ALL {
-        let given = BladeDefinition { units: Units::default(), ..base() }.with(property, 0.375);
+        let given = BladeDefinition { units: Units::default(), ..base_of(property) }.with(property, 0.375);
         let Some(PropertyDefinition::Uniform(found)) = of(&convert(&given, ODD), property) else { unreachable!() };
         // Numbers are written with 15 digits.
         assert!((found * property.unit(&ODD) - 0.375).abs() < 1e-14 * 0.375, "{property}: {found}");
@@ -63,7 +73,7 @@ fn every_property_is_converted_by_its_unit() {
 #[test]
 fn every_property_can_be_changed() {
     for property in Property::ALL {
-        let given = base().with(property, 0.5);
+        let given = base_of(property).with(property, 0.5);
         let changed = change(&given, &[Change::new(What::Property(property), Amount::Add(0.25)).on(1.0, 1.5)]);
         let expected = [(0.0, 0.5), (1.0, 0.5), (1.0, 0.75), (1.5, 0.75), (1.5, 0.5), (2.0, 0.5)];
         assert_eq!(of(&changed.unwrap().blade, property), Some(expected.into()), "{property}");
@@ -88,7 +98,7 @@ fn every_rule_of_every_property_is_a_fault() {
             }
         }
         // Twist is not used by any solver, so it may be known anywhere.
-        let short = check(&base().with(property, [(0.0, 1.0), (1.0, 1.0)]));
+        let short = check(&base_of(property).with(property, [(0.0, 1.0), (1.0, 1.0)]));
         let uncovered = short.err().map(|faults| (faults[0].code, faults[0].path.clone()));
         let expected = (property != Property::Twist).then(|| (FaultCode::Uncovered, path.clone()));
         assert_eq!(uncovered, expected, "{property}");
@@ -112,7 +122,8 @@ fn documents_and_types_name_every_property() {
     let types = fs::read_to_string(root.join("crates/wasm/src/types.ts")).unwrap();
     for property in Property::ALL {
         assert!(format.contains(&format!("| `distribution.{}` |", property.key())), "{property} in BLADE_FORMAT.md");
-        let optional = if property.is_required() { "" } else { "?" };
+        let required = property.is_required() && property.sum_of().is_empty();
+        let optional = if required { "" } else { "?" };
         assert!(types.contains(&format!("    {}{optional}: Property;", property.key())), "{property} in types.ts");
     }
 }

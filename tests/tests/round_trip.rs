@@ -7,8 +7,8 @@ use bladefan_core::Settings;
 use bladefan_core::formats::{Format, measured, read, to_json, to_toml};
 use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit, Units};
 use bladefan_core::{
-    Blade, BladeDefinition, DistributionDefinition, Property, PropertyDefinition, RootDefinition, RootKind,
-    RotorDefinition, Source, check, convert,
+    Blade, BladeDefinition, DistributionDefinition, PointMassDefinition, Property, PropertyDefinition, RootDefinition,
+    RootKind, RotorDefinition, Source, SpringAngle, check, convert,
 };
 use bladefan_tests::faults::{BASE_JSON, BASE_TOML};
 use core::ops::Range;
@@ -25,7 +25,8 @@ fn powers(exponents: Range<i32>) -> impl Strategy<Value = f64> {
 /// Numbers of any size that is legal in every unit.
 fn value(property: Property) -> impl Strategy<Value = f64> {
     powers(match property {
-        Property::MassOffset | Property::Twist => -40..5,
+        Property::MassOffset | Property::Twist | Property::TensionOffset => -40..5,
+        Property::TrapezeRadius => -20..5,
         _ => -20..20,
     })
 }
@@ -85,7 +86,51 @@ fn property(property: Property, radius: f64, stations: usize) -> BoxedStrategy<O
 fn distribution(radius: f64) -> impl Strategy<Value = DistributionDefinition> {
     table(radius, Just(1.0)).prop_flat_map(move |(r, _)| {
         let properties = Property::ALL.map(|each| property(each, radius, r.len()));
-        (properties, Just(r)).prop_map(|(properties, r)| DistributionDefinition { r: Some(r), properties })
+        (properties, Just(r), any::<bool>()).prop_map(|(properties, r, sum)| {
+            let mut given = DistributionDefinition { r: Some(r), properties };
+            // What goes together, and what does not.
+            if given[Property::FlapInertia].is_none() || given[Property::LagInertia].is_none() {
+                given[Property::FlapInertia] = None;
+                given[Property::LagInertia] = None;
+            } else if sum {
+                given[Property::PolarInertia] = None;
+            }
+            if given[Property::AxialStiffness].is_some() {
+                given[Property::TrapezeRadius] = None;
+            }
+            given
+        })
+    })
+}
+
+/// A rotor but for its radius. The springs are turned where the roots of flap and lag allow it.
+fn rotor() -> impl Strategy<Value = RotorDefinition> {
+    let angle = prop_oneof![Just(SpringAngle::Pitch), (-400.0..400.0_f64).prop_map(SpringAngle::Angle)];
+    let pose =
+        (option::of(-400.0..400.0_f64), option::of(-1.4..1.4_f64), option::of(powers(-40..5)), option::of(angle));
+    (powers(-8..8), option::of(1..9_u8), pose).prop_map(|(speed, blades, (pitch, precone, torque_offset, angle))| {
+        RotorDefinition {
+            radius: None,
+            nominal_speed: Some(speed),
+            blades: blades.map(f64::from),
+            pitch,
+            precone,
+            torque_offset,
+            spring_angle: angle,
+        }
+    })
+}
+
+/// Masses outboard of every root.
+fn point_masses(radius: f64) -> impl Strategy<Value = Vec<PointMassDefinition>> {
+    let mass =
+        (0.5..1.0_f64, powers(-5..5), option::of(powers(-3..3)), option::of(powers(-3..3)), option::of(1.0..9.0));
+    vec(mass, 0..4).prop_map(move |masses| {
+        let mass = |(at, mass, offset, flap_inertia, lag): (f64, f64, Option<f64>, Option<f64>, Option<f64>)| {
+            let lag_inertia = lag.map(|lag| lag * mass * offset.unwrap_or(1.0) * offset.unwrap_or(1.0));
+            PointMassDefinition { r: Some(at * radius), mass: Some(mass), offset, flap_inertia, lag_inertia }
+        };
+        masses.into_iter().map(mass).collect()
     })
 }
 
@@ -94,12 +139,14 @@ fn definition() -> impl Strategy<Value = BladeDefinition> {
         (
             (any::<String>(), option::of(any::<String>()), option::of(any::<String>()), any::<bool>()),
             units(),
-            (powers(-8..8), option::of(1..9_u8)),
+            rotor(),
             (root(Dof::Flap, radius), root(Dof::Lag, radius), root(Dof::Torsion, radius)),
-            distribution(radius),
+            (distribution(radius), point_masses(radius)),
         )
             .prop_map(
-                move |((name, notes, citation, source), units, (speed, blades), (flap, lag, torsion), distribution)| {
+                move |((name, notes, citation, source), units, rotor, (flap, lag, torsion), (distribution, masses))| {
+                    let place = |root: &RootDefinition| (root.offset, root.offset_ratio);
+                    let one_radius = place(&flap) == place(&lag);
                     BladeDefinition {
                         name: Some(name),
                         notes,
@@ -107,13 +154,14 @@ fn definition() -> impl Strategy<Value = BladeDefinition> {
                         units,
                         rotor: Some(RotorDefinition {
                             radius: Some(radius),
-                            nominal_speed: Some(speed),
-                            blades: blades.map(f64::from),
+                            spring_angle: rotor.spring_angle.filter(|_| one_radius),
+                            ..rotor
                         }),
                         flap: Some(flap),
                         lag: Some(lag),
                         torsion: Some(torsion),
                         distribution: Some(distribution),
+                        point_masses: masses,
                     }
                 },
             )

@@ -104,6 +104,7 @@ test("what has the form of a blade may be shown with its faults, and nothing els
     {},
     { rotor: { radius: -1 }, flap: root },
     { distribution: { r: [0, null, "x"], mass: "a lot", twist: { r: [], values: [1] } } },
+    { rotor: { pitch: 8, spring_angle: "pitch" }, point_mass: [{ r: 2, mass: "heavy" }, {}] },
   ])
     assert.ok(isBladeShaped(good), JSON.stringify(good));
   for (const bad of [
@@ -117,6 +118,9 @@ test("what has the form of a blade may be shown with its faults, and nothing els
     { distribution: { mass: { r: 7, values: [] } } },
     { distribution: { mass: [[1]] } },
     { name: {} },
+    { point_mass: { r: 2, mass: 1 } },
+    { point_mass: [7] },
+    { point_mass: [{ r: [2] }] },
   ]) {
     assert.ok(!isBladeShaped(bad), JSON.stringify(bad));
   }

@@ -2,6 +2,8 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { createDocument, setAt } from "../../web/blade/document.js";
+import { isBladeShaped } from "../../web/blade/shape.js";
 import { columnOf, isUnit } from "../../web/stations/columns.js";
 import { convert } from "../../web/stations/forms.js";
 import { MOST_ROWS, blockWords, readBlock, writeBlock } from "../../web/stations/paste/block.js";
@@ -11,6 +13,7 @@ import {
   addRow,
   addStep,
   cellOf,
+  columnsOf,
   deleteRows,
   formOf,
   moveRows,
@@ -188,6 +191,31 @@ test("a property takes another form with its values, or says why not", () => {
   assert.match(convert(short, "lag_stiffness", "list"), /from 1 to 10, the common radii go from 0 to 10/);
   short.distribution.mass[1] = "x";
   assert.match(convert(short, "lag_stiffness", "list"), /has faults/);
+});
+
+test("what only coupled motion needs has a column where it is given, and goes with its rows", () => {
+  const doc = blade();
+  assert.deepEqual(columnsOf(doc, "").slice(-2), ["mass_offset", "twist"]);
+  Object.assign(doc.distribution, { lag_inertia: [1, 2, 3, 4], axial_stiffness: { r: [0, 10], values: [5, 5] } });
+  assert.deepEqual(columnsOf(doc, "").slice(-3), ["twist", "lag_inertia", "axial_stiffness"]);
+  addRow(doc, "", 1);
+  assert.deepEqual(doc.distribution.lag_inertia, [1, 1.5, 2, 3, 4]);
+  deleteRows(doc, "", 2, 4);
+  assert.deepEqual(doc.distribution.lag_inertia, [1, 1.5]);
+  assert.deepEqual(placeOf(doc, "distribution.axial_stiffness.values[1]"), { sheet: "axial_stiffness", row: 1, id: "axial_stiffness" });
+});
+
+test("an edit keeps what the form has no field for", () => {
+  const state = { doc: null };
+  const store = { get: () => state, set: (more) => Object.assign(state, more) };
+  const document = createDocument(store);
+  const own = { rotor: { radius: 10, pitch: 8, spring_angle: "pitch" }, point_mass: [{ r: 9, mass: 0.4, offset: 0.1 }] };
+  document.open({ ...blade(), ...structuredClone(own) }, { choice: "" });
+  document.edit((doc) => setAt(doc, "rotor.radius", 12));
+  document.edit((doc) => setCell(doc, "", 0, "mass", 7));
+  assert.deepEqual(state.doc.rotor, { ...own.rotor, radius: 12 });
+  assert.deepEqual(state.doc.point_mass, own.point_mass);
+  assert.equal(isBladeShaped(state.doc), true);
 });
 
 test("rows are added, repeated, moved and taken out in all lists together", () => {

@@ -11,14 +11,14 @@ const isList = (value) => Array.isArray(value) && value.every((entry) => entry =
 const isCurve = (value) =>
   isTable(value) && Object.keys(value).every((key) => ["r", "values"].includes(key)) && isList(value.r) && isList(value.values);
 
+const isFlat = (value) => isTable(value) && Object.values(value).every(isLeaf);
+
 /** Whether a value is a blade but for its values. */
 export function isBladeShaped(doc) {
   if (!isTable(doc)) return false;
-  const { distribution = {}, ...rest } = doc;
+  const { distribution = {}, point_mass: masses = [], ...rest } = doc;
+  if (!Array.isArray(masses) || !masses.every(isFlat)) return false;
   if (!isTable(distribution) || (distribution.r !== undefined && !isList(distribution.r))) return false;
   const properties = Object.values(distribution).every((value) => isLeaf(value) || isList(value) || isCurve(value));
-  return (
-    properties &&
-    Object.entries(rest).every(([key, value]) => (TABLES.includes(key) ? isTable(value) && Object.values(value).every(isLeaf) : isLeaf(value)))
-  );
+  return properties && Object.entries(rest).every(([key, value]) => (TABLES.includes(key) ? isFlat(value) : isLeaf(value)));
 }

@@ -6,6 +6,7 @@ export function unitOf(kind, units) {
   return {
     length,
     angle,
+    force,
     speed,
     mass: `${mass}/${length}`,
     stiffness: `${force}·${length}²`,

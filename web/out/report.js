@@ -34,8 +34,13 @@ const NAMES = {
   lag_stiffness: ["lag EI", "stiffness"],
   torsion_stiffness: ["GJ", "stiffness"],
   polar_inertia: ["polar inertia", "inertia"],
+  flap_inertia: ["flap inertia", "inertia"],
+  lag_inertia: ["lag inertia", "inertia"],
   mass_offset: ["mass offset", "length"],
   twist: ["twist", "angle"],
+  tension_offset: ["tension offset", "length"],
+  axial_stiffness: ["EA", "force"],
+  trapeze_radius: ["trapeze radius", "length"],
 };
 
 /** What a slider scales, where that is more than its name says. */

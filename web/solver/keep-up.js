@@ -3,7 +3,7 @@
 import { changesOf, isNeutral } from "../lib/what-if.js";
 
 /** Keys of the blade file: a fault whose path starts with one is the blade's, others are options'. */
-const BLADE_KEYS = /^(schema|name|notes|source|units|rotor|flap|lag|torsion|distribution)\b/;
+const BLADE_KEYS = /^(schema|name|notes|source|units|rotor|flap|lag|torsion|distribution|point_mass)\b/;
 
 const NONE = [];
 /** The old list where the new one says the same, so that nobody hears of a change where there is none. */

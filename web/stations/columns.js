@@ -3,7 +3,10 @@
 import { unitOf } from "../lib/unit-words.js";
 
 export const RADIUS = "r";
-/** Properties in the order of the sheet. `optional` ones are 0 where they are absent. */
+/**
+ * Properties in the order of the sheet. `optional` ones are 0 where they are absent; `rare` ones have a
+ * column only where the blade gives them.
+ */
 export const PROPERTIES = [
   { id: "mass", name: "mass", unit: "mass" },
   { id: "flap_stiffness", name: "flap stiffness", unit: "stiffness" },
@@ -12,6 +15,11 @@ export const PROPERTIES = [
   { id: "polar_inertia", name: "polar inertia", unit: "inertia" },
   { id: "mass_offset", name: "mass offset", unit: "length", optional: true },
   { id: "twist", name: "twist", unit: "angle", optional: true },
+  { id: "flap_inertia", name: "flap inertia", unit: "inertia", optional: true, rare: true },
+  { id: "lag_inertia", name: "lag inertia", unit: "inertia", optional: true, rare: true },
+  { id: "tension_offset", name: "tension offset", unit: "length", optional: true, rare: true },
+  { id: "axial_stiffness", name: "axial stiffness", unit: "force", optional: true, rare: true },
+  { id: "trapeze_radius", name: "trapeze radius", unit: "length", optional: true, rare: true },
 ];
 const COLUMNS = [{ id: RADIUS, name: "r", unit: "length" }, ...PROPERTIES];
 

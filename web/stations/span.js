@@ -25,7 +25,8 @@ export function firstSheet(doc) {
   const [, first = COMMON] = sheetsOf(doc);
   return rowCount(doc, COMMON) > 0 || ofForm(doc, "number").length > 0 ? COMMON : first;
 }
-export const columnsOf = (sheet) => (sheet === COMMON ? [RADIUS, ...ids] : [RADIUS, sheet]);
+const shown = (doc) => ids.filter((id) => !column(id).rare || formOf(doc, id) !== "absent");
+export const columnsOf = (doc, sheet) => (sheet === COMMON ? [RADIUS, ...shown(doc)] : [RADIUS, sheet]);
 /** What a property is where nothing is given. */
 export const nothing = (id) => (column(id).optional ? 0 : "");
 
@@ -37,7 +38,7 @@ function listOf(doc, sheet, id) {
 }
 
 const lists = (doc, sheet) =>
-  columnsOf(sheet)
+  columnsOf(doc, sheet)
     .map((id) => listOf(doc, sheet, id))
     .filter((list) => list !== undefined);
 export const rowCount = (doc, sheet) => Math.max(0, ...lists(doc, sheet).map((list) => list.length));

@@ -26,7 +26,7 @@ export function startStations(store, blade) {
   let page = 0;
   let typed = new Set(); // blades that the cell under typing made
   const doc = () => store.get().doc;
-  const idsAt = () => span.columnsOf(sheet);
+  const idsAt = () => span.columnsOf(doc(), sheet);
 
   /** Changes the blade, and says why where it was not changed. */
   function change(work, more = {}) {

@@ -143,7 +143,7 @@ pub struct Units {
     pub mass: MassUnit,
     /// Force; with length also stiffness and springs.
     pub force: ForceUnit,
-    /// Twist; springs are per radian whatever this is.
+    /// Twist, pitch, precone; springs are per radian whatever this is.
     pub angle: AngleUnit,
     /// Rotor speed.
     pub speed: SpeedUnit,
@@ -177,20 +177,32 @@ impl Units {
         self.force.si() * self.length.si()
     }
 
-    /// kg·m of one polar mass moment of inertia per length (mass·length).
+    /// kg·m of one mass moment of inertia per length (mass·length).
     pub fn polar_inertia(&self) -> f64 {
         self.mass.si() * self.length.si()
+    }
+
+    /// kg·m² of one mass moment of inertia (mass·length²).
+    pub fn inertia(&self) -> f64 {
+        self.mass.si() * self.length.si() * self.length.si()
     }
 }
 
 /// Reads a rotor speed: a bare number is rad/s; `660rpm`, `11Hz`, `69rad/s` as written.
 /// Returns rad/s, or nothing where the text is none of these.
 pub fn parse_speed(text: &str) -> Option<f64> {
-    let unit = SpeedUnit::ALL.iter().find(|unit| text.ends_with(unit.name()));
-    let (number, factor) = match unit {
-        Some(unit) => (&text[..text.len() - unit.name().len()], unit.si()),
-        None => (text, 1.0),
-    };
+    parse(text, SpeedUnit::ALL, SpeedUnit::name, SpeedUnit::si)
+}
+
+/// Reads an angle: a bare number is rad; `8deg`, `0.14rad` as written. Returns rad, or nothing where the text
+/// is none of these.
+pub fn parse_angle(text: &str) -> Option<f64> {
+    parse(text, AngleUnit::ALL, AngleUnit::name, AngleUnit::si)
+}
+
+fn parse<U: Copy>(text: &str, units: &[U], name: fn(U) -> &'static str, si: fn(U) -> f64) -> Option<f64> {
+    let unit = units.iter().copied().find(|unit| text.ends_with(name(*unit)));
+    let (number, factor) = unit.map_or((text, 1.0), |unit| (&text[..text.len() - name(unit).len()], si(unit)));
     // `f64::from_str` also takes "inf", "NaN" and "infinity".
     if number.is_empty() || number.contains(|c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E')) {
         return None;
@@ -210,6 +222,15 @@ mod tests {
         for (value, reference) in [(1.0, 0.0), (f64::NAN, 1.0), (1.0, f64::NAN), (f64::INFINITY, 1.0), (1e300, 1e-300)]
         {
             assert_eq!(percent(value, reference), None, "{value} {reference}");
+        }
+    }
+
+    #[test]
+    fn angles_are_read_in_their_units() {
+        assert_eq!(parse_angle("8deg"), Some(8.0 * AngleUnit::Degree.si()));
+        assert_eq!((parse_angle("-0.14rad"), parse_angle("1e-2")), (Some(-0.14), Some(0.01)));
+        for text in ["", "deg", "8 degrees", "8rpm", "NaN"] {
+            assert_eq!(parse_angle(text), None, "{text}");
         }
     }
 

@@ -1,7 +1,7 @@
 // Pasting into the sheet: at the focused cell, or a whole table in place of the stations.
 
 import { make } from "../../lib/dom.js";
-import { PROPERTIES, RADIUS, column, isUnit, unitOfColumn } from "../columns.js";
+import { RADIUS, column, isUnit, unitOfColumn } from "../columns.js";
 import { NEUTRAL } from "../../lib/what-if.js";
 import { COMMON, WHOLE, apart, columnsOf, forgetOrigin, putBlock, replaceAll, rowCount } from "../span.js";
 import { MOST_ROWS, blockWords, readBlock, writeBlock } from "./block.js";
@@ -83,7 +83,7 @@ export function startPasting({ store, change, say, sheet, grid, jump }) {
       ? Array.from({ length: bottom - Math.max(top, top < bottom ? 0 : WHOLE) + 1 }, () => Array(right - left + 1).fill(block.rows[0][0]))
       : block.rows;
     const { units } = store.get().doc;
-    const ids = columnsOf(sheet());
+    const ids = columnsOf(store.get().doc, sheet());
     const width = rows[0].length;
     const names = header === null ? { to: ids.slice(left, left + width) } : mapped(header, ids);
     if (names.words) return say(names.words);
@@ -130,7 +130,7 @@ export function startPasting({ store, change, say, sheet, grid, jump }) {
     if (text.trim() === "") return { words: "" };
     const block = readBlock(text);
     if (block.refused) return { words: block.refused };
-    const ids = [RADIUS, ...PROPERTIES.map(({ id }) => id)];
+    const ids = columnsOf(store.get().doc, COMMON);
     const width = block.rows[0].length;
     if (block.header === null && width > ids.length)
       return { words: `The table has ${width} columns, the sheet ${ids.length}: name them in a first row.` };

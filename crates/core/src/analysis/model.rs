@@ -1,9 +1,9 @@
 //! What is solved: the model in words, and what of a blade it does not use.
 
-use crate::blade::{Blade, Property};
+use crate::blade::{Blade, PointMass, Property, SpringAngle};
 use crate::fault::Warning;
 use alloc::format;
-use alloc::string::ToString;
+use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 /// What is solved.
@@ -12,13 +12,20 @@ pub struct Model {
     words: &'static str,
     /// Properties of which something does not act, and what to say where they are not 0.
     remarks: &'static [(Property, Use, &'static str)],
+    /// Whether pitch, precone, torque offset, the angle of the springs and point masses do not act.
+    ignores_pose: bool,
 }
+
+const NOT_USED: &str = "not used by the uncoupled solver";
+const IN_TORSION: &str = "acts in torsion only";
 
 /// How much of a property acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Use {
     Partly,
     None,
+    /// Only in the polar inertia, where that is not given.
+    InSum,
 }
 
 impl Model {
@@ -26,9 +33,15 @@ impl Model {
     pub const UNCOUPLED: Self = Self {
         words: "uncoupled, in vacuum, zero pitch, the paper's torsion term",
         remarks: &[
-            (Property::MassOffset, Use::Partly, "acts in torsion only"),
-            (Property::Twist, Use::None, "not used by the uncoupled solver"),
+            (Property::FlapInertia, Use::InSum, NOT_USED),
+            (Property::LagInertia, Use::InSum, NOT_USED),
+            (Property::MassOffset, Use::Partly, IN_TORSION),
+            (Property::Twist, Use::None, NOT_USED),
+            (Property::TensionOffset, Use::None, NOT_USED),
+            (Property::AxialStiffness, Use::None, NOT_USED),
+            (Property::TrapezeRadius, Use::None, NOT_USED),
         ],
+        ignores_pose: true,
     };
 
     /// One plain line that says what the model is; it stands with every table and chart.
@@ -36,22 +49,42 @@ impl Model {
         self.words
     }
 
-    /// Whether a property acts at all.
+    /// Whether a property acts at all, and not through another.
     pub fn uses(&self, property: Property) -> bool {
-        !self.remarks.iter().any(|&(other, how, _)| other == property && how == Use::None)
+        !self.remarks.iter().any(|&(other, how, _)| other == property && how != Use::Partly)
     }
 
     /// What of a blade does not act, or not as its author may expect, because of the model.
     pub fn unused(&self, blade: &Blade) -> Vec<Warning> {
         let acts = |property: Property| blade.property(property).values().iter().any(|&value| value != 0.0);
         let remarks = self.remarks.iter().filter(|(property, ..)| acts(*property));
-        remarks
-            .map(|(property, _, message)| Warning {
-                path: format!("distribution.{}", property.key()),
-                message: (*message).to_string(),
-            })
-            .collect()
+        let of_properties = remarks.map(|&(property, how, message)| {
+            let in_sum = how == Use::InSum && !blade.gives(Property::PolarInertia);
+            (format!("distribution.{}", property.key()), if in_sum { IN_TORSION } else { message })
+        });
+        let mut told: Vec<(String, &str)> = Vec::new();
+        if self.ignores_pose {
+            told.extend(pose(blade).map(|path| (path.into(), NOT_USED)));
+        }
+        told.extend(of_properties);
+        let heavy = |mass: &PointMass| mass.mass != 0.0 || mass.flap_inertia != 0.0 || mass.lag_inertia != 0.0;
+        if self.ignores_pose && blade.point_masses().iter().any(heavy) {
+            told.push(("point_mass".into(), "does not act in the uncoupled model"));
+        }
+        told.into_iter().map(|(path, message)| Warning { path, message: message.to_string() }).collect()
     }
+}
+
+/// How the blade stands on its rotor: what of it is not 0.
+fn pose(blade: &Blade) -> impl Iterator<Item = &'static str> {
+    [
+        ("rotor.pitch", blade.pitch() != 0.0),
+        ("rotor.precone", blade.precone() != 0.0),
+        ("rotor.torque_offset", blade.torque_offset() != 0.0),
+        ("rotor.spring_angle", blade.spring_angle() != SpringAngle::Angle(0.0)),
+    ]
+    .into_iter()
+    .filter_map(|(path, acts)| acts.then_some(path))
 }
 
 /// [`Model::words`] of the model that is solved.
@@ -67,8 +100,7 @@ pub fn warnings(blade: &Blade) -> Vec<Warning> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::blade::{BladeDefinition, RootDefinition, check};
-    use alloc::string::String;
+    use crate::blade::{BladeDefinition, PointMassDefinition, RootDefinition, check};
 
     fn blade() -> BladeDefinition {
         BladeDefinition::new("test", 1.0, 1.0)
@@ -101,6 +133,61 @@ mod tests {
         ];
         assert_eq!(told(&both), expected);
         assert_eq!(check(&both).unwrap().twist().at(0.5), 0.2);
+    }
+
+    #[test]
+    fn what_only_coupled_motion_feels_is_told() {
+        let nothing = PointMassDefinition::new(1.0, 0.0).with_offset(0.1);
+        let zero = blade()
+            .with_pitch(0.0)
+            .with_precone(-0.0)
+            .with_torque_offset(0.0)
+            .with_spring_angle(SpringAngle::Angle(0.0))
+            .with_point_mass(nothing)
+            .with(Property::FlapInertia, 0.0)
+            .with(Property::LagInertia, 0.0)
+            .with(Property::TensionOffset, 0.0)
+            .with(Property::TrapezeRadius, 0.0);
+        assert!(told(&zero).is_empty(), "0 acts nowhere: {:?}", told(&zero));
+        let all = zero
+            .with_pitch(0.1)
+            .with_precone(0.1)
+            .with_torque_offset(0.1)
+            .with_spring_angle(SpringAngle::Pitch)
+            .with_point_mass(PointMassDefinition::new(1.0, 2.0))
+            .with(Property::FlapInertia, 0.1)
+            .with(Property::LagInertia, 0.1)
+            .with(Property::TensionOffset, -0.1)
+            .with(Property::TrapezeRadius, 0.1);
+        let expected = [
+            "rotor.pitch: not used by the uncoupled solver",
+            "rotor.precone: not used by the uncoupled solver",
+            "rotor.torque_offset: not used by the uncoupled solver",
+            "rotor.spring_angle: not used by the uncoupled solver",
+            "distribution.flap_inertia: not used by the uncoupled solver",
+            "distribution.lag_inertia: not used by the uncoupled solver",
+            "distribution.tension_offset: not used by the uncoupled solver",
+            "distribution.trapeze_radius: not used by the uncoupled solver",
+            "point_mass: does not act in the uncoupled model",
+        ];
+        assert_eq!(told(&all), expected);
+        let stiff = blade().with(Property::AxialStiffness, 5e8);
+        assert_eq!(told(&stiff), ["distribution.axial_stiffness: not used by the uncoupled solver"]);
+    }
+
+    /// Where the polar inertia is their sum, that is what they are to a model without coupling.
+    #[test]
+    fn inertias_that_stand_for_the_polar_one_act_in_torsion() {
+        let mut given = blade().with(Property::FlapInertia, 0.25).with(Property::LagInertia, 0.75);
+        given.distribution.as_mut().unwrap()[Property::PolarInertia] = None;
+        let expected =
+            ["distribution.flap_inertia: acts in torsion only", "distribution.lag_inertia: acts in torsion only"];
+        assert_eq!(told(&given), expected);
+        assert!(!Model::UNCOUPLED.uses(Property::FlapInertia), "its stations are those of the sum");
+        assert_eq!(
+            crate::modes(&check(&given).unwrap(), &crate::Settings::default()).unwrap().modes,
+            crate::modes(&check(&blade()).unwrap(), &crate::Settings::default()).unwrap().modes,
+        );
     }
 
     #[test]

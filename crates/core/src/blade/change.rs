@@ -1,7 +1,7 @@
 //! A blade with something changed: what-if, sweeps and sensitivities speak of changes.
 
 use super::convert::{Factors, LENGTH, SPEED};
-use super::definition::{BladeDefinition, DistributionDefinition, PropertyDefinition};
+use super::definition::{BladeDefinition, DistributionDefinition, PointMassDefinition, PropertyDefinition};
 use super::property::Property;
 use super::restation::{Piece, restationed};
 use crate::dof::Dof;
@@ -127,8 +127,8 @@ pub struct Change {
     pub part: Part,
     /// Units of the numbers here; `None`: those of the blade.
     pub units: Option<Units>,
-    /// A mass that is scaled takes the polar inertia along, as more of the same material would;
-    /// this leaves the inertia as it is.
+    /// A mass per length that is scaled takes its inertias and the point masses there along, as more
+    /// of the same material would; this leaves them as they are.
     pub mass_alone: bool,
 }
 
@@ -228,12 +228,8 @@ impl Changed {
         match what {
             What::Property(property) => {
                 let done = self.property(property, amount, part);
-                if let (Property::Mass, Amount::Scale(factor), false, true) =
-                    (property, amount, change.mass_alone, done)
-                    && self.property(Property::PolarInertia, amount, part)
-                {
-                    let message = format!("scaled by {factor} along with the mass");
-                    self.notes.push(Warning { path: What::Property(Property::PolarInertia).path(), message });
+                if let (Property::Mass, Amount::Scale(factor), false) = (property, amount, change.mass_alone) {
+                    self.along_with_mass(factor, part, done);
                 }
             }
             What::Offset(dof) => self.offset(dof, amount),
@@ -246,6 +242,25 @@ impl Changed {
                 if let Some(rotor) = &mut self.blade.rotor {
                     set(&mut rotor.nominal_speed, amount);
                 }
+            }
+        }
+    }
+
+    /// Scales the inertias of a mass that was scaled, and the point masses on the same part.
+    fn along_with_mass(&mut self, factor: f64, part: Part, done: bool) {
+        let message = format!("scaled by {factor} along with the mass");
+        for property in [Property::PolarInertia, Property::FlapInertia, Property::LagInertia] {
+            if done && self.property(property, Amount::Scale(factor), part) {
+                self.notes.push(Warning { path: What::Property(property).path(), message: message.clone() });
+            }
+        }
+        let radius = self.blade.rotor.and_then(|rotor| rotor.radius).unwrap_or(f64::INFINITY);
+        let (from, to) = part.ends();
+        for (i, mass) in self.blade.point_masses.iter_mut().enumerate() {
+            // Where two parts meet, a mass belongs to the outer one.
+            let inside = mass.r.is_some_and(|r| r >= from && (r < to || to >= radius));
+            if inside && mass.scale(factor) {
+                self.notes.push(Warning { path: format!("point_mass[{i}]"), message: message.clone() });
             }
         }
     }
@@ -288,6 +303,20 @@ impl Changed {
             root.offset = Some(to);
             root.offset_ratio = None;
         }
+    }
+}
+
+impl PointMassDefinition {
+    /// Scales the mass and the inertias that go with it; tells whether anything is changed.
+    fn scale(&mut self, factor: f64) -> bool {
+        let before = *self;
+        for number in [&mut self.mass, &mut self.flap_inertia, &mut self.lag_inertia] {
+            set(number, Amount::Scale(factor));
+        }
+        let differs = |a: Option<f64>, b: Option<f64>| a.zip(b).is_some_and(|(a, b)| differ(a, b));
+        differs(before.mass, self.mass)
+            || differs(before.flap_inertia, self.flap_inertia)
+            || differs(before.lag_inertia, self.lag_inertia)
     }
 }
 

@@ -1,9 +1,11 @@
 //! From a definition to a blade: every fault at once, and the one conversion to SI units.
 
 mod distribution;
+mod point_mass;
+mod pose;
 
 use super::definition::{BladeDefinition, RootDefinition, RootKind, RotorDefinition, Source};
-use super::model::{Blade, Root, RootCondition};
+use super::model::{Blade, PointMass, Pose, Root, RootCondition};
 use super::property::Property;
 use super::range::Range;
 use crate::dof::Dof;
@@ -38,16 +40,24 @@ pub fn check(definition: &BladeDefinition) -> Result<Blade, Faults> {
     checker.source(definition.source.as_ref());
     let rotor = checker.rotor(definition.rotor.as_ref());
     let radius = rotor.radius;
+    let pose = checker.pose(definition.rotor.as_ref());
     let mut root = |dof: Dof, given: Option<&RootDefinition>| checker.root(dof, given, radius);
     let roots = [
         root(Dof::Flap, definition.flap.as_ref()),
         root(Dof::Lag, definition.lag.as_ref()),
         root(Dof::Torsion, definition.torsion.as_ref()),
     ];
+    checker.turned_springs(definition.rotor.as_ref(), radius, &roots);
     let properties = checker.distribution(definition.distribution.as_ref(), radius, &roots);
+    let given = |property| definition.distribution.as_ref().is_some_and(|given| given[property].is_some());
+    let span = Span {
+        properties,
+        given: Property::ALL.map(given),
+        point_masses: checker.point_masses(&definition.point_masses, radius, &roots),
+    };
     let Checker { faults, warnings, .. } = checker;
     let faults = Faults::from(faults);
-    let blade = assemble(name, &rotor, roots, properties, warnings);
+    let blade = assemble(name, &rotor, pose, roots, span, warnings);
     // Without a fault nothing is missing, so the blade is there.
     if faults.is_empty() { blade.ok_or(faults) } else { Err(faults) }
 }
@@ -55,18 +65,22 @@ pub fn check(definition: &BladeDefinition) -> Result<Blade, Faults> {
 fn assemble(
     name: Option<String>,
     rotor: &Rotor,
+    pose: Option<Pose>,
     [flap, lag, torsion]: [CheckedRoot; 3],
-    properties: [Option<PiecewiseLinear>; Property::COUNT],
+    span: Span,
     warnings: Vec<Warning>,
 ) -> Option<Blade> {
-    let properties: Vec<PiecewiseLinear> = properties.into_iter().collect::<Option<_>>()?;
+    let properties: Vec<PiecewiseLinear> = span.properties.into_iter().collect::<Option<_>>()?;
     Some(Blade {
         name: name?,
         radius: rotor.radius?.si,
         nominal_speed: rotor.nominal_speed?,
         blades: rotor.blades,
         roots: [flap.root()?, lag.root()?, torsion.root()?],
+        pose: pose?,
         properties: properties.try_into().ok()?,
+        given: span.given,
+        point_masses: span.point_masses,
         warnings,
     })
 }
@@ -92,6 +106,13 @@ struct Rotor {
     radius: Option<Length>,
     nominal_speed: Option<f64>,
     blades: Option<u32>,
+}
+
+/// What lies along the span.
+struct Span {
+    properties: [Option<PiecewiseLinear>; Property::COUNT],
+    given: [bool; Property::COUNT],
+    point_masses: Vec<PointMass>,
 }
 
 /// What is known of a root, be it sound or not.

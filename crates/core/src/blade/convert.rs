@@ -1,6 +1,9 @@
 //! The same blade with its numbers in other units.
 
-use super::{BladeDefinition, DistributionDefinition, Property, PropertyDefinition, RootDefinition, RotorDefinition};
+use super::{
+    BladeDefinition, DistributionDefinition, PointMassDefinition, Property, PropertyDefinition, RootDefinition,
+    RotorDefinition, SpringAngle,
+};
 use crate::units::Units;
 use alloc::format;
 use alloc::vec::Vec;
@@ -21,6 +24,7 @@ pub fn convert(definition: &BladeDefinition, units: Units) -> BladeDefinition {
         lag: definition.lag.map(|root| factors.root(root)),
         torsion: definition.torsion.map(|root| factors.root(root)),
         distribution: definition.distribution.as_ref().map(|given| factors.distribution(given)),
+        point_masses: definition.point_masses.iter().map(|mass| factors.point_mass(*mass)).collect(),
     }
 }
 
@@ -28,6 +32,7 @@ pub fn convert(definition: &BladeDefinition, units: Units) -> BladeDefinition {
 pub(super) type Quantity = fn(&Units) -> f64;
 
 pub(super) const LENGTH: Quantity = |units| units.length.si();
+const ANGLE: Quantity = |units| units.angle.si();
 pub(super) const SPEED: Quantity = |units| units.speed.si();
 
 /// From one set of units to another.
@@ -52,6 +57,13 @@ impl Factors {
             radius: rotor.radius.map(|value| self.number(value, LENGTH)),
             nominal_speed: rotor.nominal_speed.map(|value| self.number(value, SPEED)),
             blades: rotor.blades,
+            pitch: rotor.pitch.map(|value| self.number(value, ANGLE)),
+            precone: rotor.precone.map(|value| self.number(value, ANGLE)),
+            torque_offset: rotor.torque_offset.map(|value| self.number(value, LENGTH)),
+            spring_angle: rotor.spring_angle.map(|angle| match angle {
+                SpringAngle::Angle(value) => SpringAngle::Angle(self.number(value, ANGLE)),
+                SpringAngle::Pitch => SpringAngle::Pitch,
+            }),
         }
     }
 
@@ -61,6 +73,16 @@ impl Factors {
             offset: root.offset.map(|value| self.number(value, LENGTH)),
             offset_ratio: root.offset_ratio,
             spring: root.spring.map(|value| self.number(value, Units::spring)),
+        }
+    }
+
+    fn point_mass(self, given: PointMassDefinition) -> PointMassDefinition {
+        PointMassDefinition {
+            r: given.r.map(|value| self.number(value, LENGTH)),
+            mass: given.mass.map(|value| self.number(value, |units| units.mass.si())),
+            offset: given.offset.map(|value| self.number(value, LENGTH)),
+            flap_inertia: given.flap_inertia.map(|value| self.number(value, Units::inertia)),
+            lag_inertia: given.lag_inertia.map(|value| self.number(value, Units::inertia)),
         }
     }
 
@@ -93,7 +115,7 @@ fn rounded(value: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::{ForceUnit, LengthUnit, MassUnit, SpeedUnit};
+    use crate::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit};
     use alloc::vec;
 
     #[test]
@@ -105,7 +127,12 @@ mod tests {
             speed: SpeedUnit::Rpm,
             ..Units::default()
         };
-        let rotor = RotorDefinition { radius: Some(55.0), nominal_speed: Some(660.0), blades: Some(4.0) };
+        let rotor = RotorDefinition {
+            radius: Some(55.0),
+            nominal_speed: Some(660.0),
+            blades: Some(4.0),
+            ..RotorDefinition::default()
+        };
         let mut distribution =
             DistributionDefinition { r: Some(vec![0.0, 3.0, 3.0, 55.0, f64::NAN]), ..Default::default() };
         distribution[Property::Mass] = Some(PropertyDefinition::Uniform(1.0));
@@ -139,8 +166,34 @@ mod tests {
     }
 
     #[test]
+    fn what_stands_on_the_rotor_and_point_masses_are_converted() {
+        let units = Units {
+            length: LengthUnit::Millimetre,
+            mass: MassUnit::Gram,
+            angle: AngleUnit::Degree,
+            ..Units::default()
+        };
+        let given = BladeDefinition::new("", 1.0, 1.0)
+            .with_pitch(core::f64::consts::PI)
+            .with_precone(-0.5)
+            .with_torque_offset(0.25)
+            .with_spring_angle(SpringAngle::Angle(core::f64::consts::FRAC_PI_2))
+            .with_point_mass(PointMassDefinition::new(0.5, 2.0).with_offset(-0.125).with_inertias(3.0, 4.0));
+        let converted = convert(&given, units);
+        let rotor = converted.rotor.unwrap();
+        assert_eq!((rotor.pitch, rotor.precone), (Some(180.0), Some(-28.647_889_756_541_2)));
+        assert_eq!((rotor.torque_offset, rotor.spring_angle), (Some(250.0), Some(SpringAngle::Angle(90.0))));
+        let mass = PointMassDefinition::new(500.0, 2000.0).with_offset(-125.0).with_inertias(3e9, 4e9);
+        assert_eq!(converted.point_masses, [mass]);
+        let turning = convert(&given.clone().with_spring_angle(SpringAngle::Pitch), units);
+        assert_eq!(turning.rotor.unwrap().spring_angle, Some(SpringAngle::Pitch));
+        assert_eq!(convert(&given, Units::default()), given, "numbers whose unit stays keep their bits");
+    }
+
+    #[test]
     fn numbers_whose_unit_stays_keep_their_bits() {
-        let rotor = RotorDefinition { radius: Some(0.1 + 0.2), nominal_speed: Some(1.0 / 3.0), blades: None };
+        let rotor =
+            RotorDefinition { radius: Some(0.1 + 0.2), nominal_speed: Some(1.0 / 3.0), ..RotorDefinition::default() };
         let given = BladeDefinition { rotor: Some(rotor), ..BladeDefinition::default() };
         assert_eq!(convert(&given, Units::default()), given);
         let rpm = convert(&given, Units { speed: SpeedUnit::Rpm, ..Units::default() });

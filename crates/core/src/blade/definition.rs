@@ -29,6 +29,8 @@ pub struct BladeDefinition {
     pub torsion: Option<RootDefinition>,
     /// Properties along the span.
     pub distribution: Option<DistributionDefinition>,
+    /// Masses that are not spread along the span.
+    pub point_masses: Vec<PointMassDefinition>,
 }
 
 impl BladeDefinition {
@@ -74,6 +76,50 @@ pub struct RotorDefinition {
     pub nominal_speed: Option<f64>,
     /// Number of blades; a positive integer.
     pub blades: Option<f64>,
+    /// Collective pitch, + nose up; added to the twist everywhere [angle].
+    pub pitch: Option<f64>,
+    /// Precone, + tip up; its apex lies on the rotor's axis [angle].
+    pub precone: Option<f64>,
+    /// Elastic axis ahead of the radial line through the rotor's axis, + toward the leading edge [length].
+    pub torque_offset: Option<f64>,
+    /// By what angle the springs of flap and lag are turned.
+    pub spring_angle: Option<SpringAngle>,
+}
+
+/// By what angle the springs of flap and lag, at one radius, are turned about the elastic axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SpringAngle {
+    /// By this, + nose up [angle]; at 0 they act out of and in the plane of the disc.
+    Angle(f64),
+    /// By pitch and twist of the blade at their radius.
+    Pitch,
+}
+
+impl SpringAngle {
+    /// The word of the blade file for [`Pitch`](Self::Pitch).
+    pub const PITCH: &'static str = "pitch";
+}
+
+impl Default for SpringAngle {
+    fn default() -> Self {
+        Self::Angle(0.0)
+    }
+}
+
+/// A mass at one radius: a tip weight, a balance weight, a damper.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PointMassDefinition {
+    /// Its radius, on the blade [length].
+    pub r: Option<f64>,
+    /// Mass [mass].
+    pub mass: Option<f64>,
+    /// Its centre ahead of the elastic axis, + toward the leading edge [length].
+    pub offset: Option<f64>,
+    /// Moment of inertia of its extent out of the chord plane, about the elastic axis [mass·length²].
+    pub flap_inertia: Option<f64>,
+    /// Moment of inertia of its extent along the chord, about the elastic axis, that of the offset
+    /// included [mass·length²].
+    pub lag_inertia: Option<f64>,
 }
 
 /// How a degree of freedom is held at its root, as words of the blade file.

@@ -1,7 +1,8 @@
 //! A blade written in code: every part by its name, numbers without `Some` around them.
 
 use super::definition::{
-    BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Source,
+    BladeDefinition, DistributionDefinition, PointMassDefinition, PropertyDefinition, RootDefinition, RootKind,
+    RotorDefinition, Source, SpringAngle,
 };
 use super::property::Property;
 use crate::units::Units;
@@ -14,7 +15,11 @@ impl BladeDefinition {
     pub fn new(name: impl Into<String>, radius: f64, nominal_speed: f64) -> Self {
         Self {
             name: Some(name.into()),
-            rotor: Some(RotorDefinition { radius: Some(radius), nominal_speed: Some(nominal_speed), blades: None }),
+            rotor: Some(RotorDefinition {
+                radius: Some(radius),
+                nominal_speed: Some(nominal_speed),
+                ..RotorDefinition::default()
+            }),
             ..Self::default()
         }
     }
@@ -29,6 +34,41 @@ impl BladeDefinition {
     #[must_use]
     pub fn with_blades(mut self, count: u32) -> Self {
         self.rotor.get_or_insert_default().blades = Some(count.into());
+        self
+    }
+
+    /// With a collective pitch [angle], + nose up.
+    #[must_use]
+    pub fn with_pitch(mut self, pitch: f64) -> Self {
+        self.rotor.get_or_insert_default().pitch = Some(pitch);
+        self
+    }
+
+    /// With a precone [angle], + tip up.
+    #[must_use]
+    pub fn with_precone(mut self, precone: f64) -> Self {
+        self.rotor.get_or_insert_default().precone = Some(precone);
+        self
+    }
+
+    /// With its elastic axis this far [length] ahead of the radial line through the rotor's axis.
+    #[must_use]
+    pub fn with_torque_offset(mut self, offset: f64) -> Self {
+        self.rotor.get_or_insert_default().torque_offset = Some(offset);
+        self
+    }
+
+    /// With the springs of flap and lag turned by this angle.
+    #[must_use]
+    pub fn with_spring_angle(mut self, angle: SpringAngle) -> Self {
+        self.rotor.get_or_insert_default().spring_angle = Some(angle);
+        self
+    }
+
+    /// With one more mass at a radius.
+    #[must_use]
+    pub fn with_point_mass(mut self, mass: PointMassDefinition) -> Self {
+        self.point_masses.push(mass);
         self
     }
 
@@ -107,6 +147,26 @@ impl RootDefinition {
     }
 }
 
+impl PointMassDefinition {
+    /// A mass [mass] on the elastic axis at this radius [length].
+    pub const fn new(r: f64, mass: f64) -> Self {
+        Self { r: Some(r), mass: Some(mass), offset: None, flap_inertia: None, lag_inertia: None }
+    }
+
+    /// The same with its centre this far [length] ahead of the elastic axis.
+    #[must_use]
+    pub const fn with_offset(self, offset: f64) -> Self {
+        Self { offset: Some(offset), ..self }
+    }
+
+    /// The same with these moments of inertia about the elastic axis [mass·length²], of its extents
+    /// out of the chord plane and along the chord.
+    #[must_use]
+    pub const fn with_inertias(self, flap: f64, lag: f64) -> Self {
+        Self { flap_inertia: Some(flap), lag_inertia: Some(lag), ..self }
+    }
+}
+
 impl From<f64> for PropertyDefinition {
     /// One number for all radii.
     fn from(value: f64) -> Self {
@@ -154,6 +214,12 @@ mod tests {
     fn a_blade_in_code_is_the_blade_of_its_fields() {
         let blade = BladeDefinition::new("in code", 2.0, 60.0)
             .with_blades(4)
+            .with_pitch(0.1)
+            .with_precone(-0.2)
+            .with_torque_offset(0.03)
+            .with_spring_angle(SpringAngle::Pitch)
+            .with_point_mass(PointMassDefinition::new(2.0, 0.4))
+            .with_point_mass(PointMassDefinition::new(1.0, 0.3).with_offset(0.1).with_inertias(0.2, 0.5))
             .with_source("nobody", "example")
             .with_flap(RootDefinition::hinged(0.1))
             .with_lag(RootDefinition::spring_hinged(0.1, 3.0))
@@ -164,17 +230,35 @@ mod tests {
             .with(Property::LagStiffness, 9.0)
             .with(Property::TorsionStiffness, vec![1.0; 3])
             .with(Property::PolarInertia, 0.1);
-        assert_eq!(
-            blade.rotor,
-            Some(RotorDefinition { radius: Some(2.0), nominal_speed: Some(60.0), blades: Some(4.0) })
-        );
+        let rotor = RotorDefinition {
+            radius: Some(2.0),
+            nominal_speed: Some(60.0),
+            blades: Some(4.0),
+            pitch: Some(0.1),
+            precone: Some(-0.2),
+            torque_offset: Some(0.03),
+            spring_angle: Some(SpringAngle::Pitch),
+        };
+        assert_eq!(blade.rotor, Some(rotor));
+        let all = |r, mass, [offset, flap_inertia, lag_inertia]: [Option<f64>; 3]| PointMassDefinition {
+            r: Some(r),
+            mass: Some(mass),
+            offset,
+            flap_inertia,
+            lag_inertia,
+        };
+        let masses = [all(2.0, 0.4, [None; 3]), all(1.0, 0.3, [Some(0.1), Some(0.2), Some(0.5)])];
+        assert_eq!(blade.point_masses, masses);
         let distribution = blade.distribution.as_ref().unwrap();
         assert_eq!(distribution.r, Some(vec![0.0, 1.0, 2.0]));
         assert_eq!(distribution[Property::Mass], Some(PropertyDefinition::OnStations(vec![3.0, 2.0, 1.0])));
         let own = PropertyDefinition::OwnRadii { r: vec![0.1, 2.0], values: vec![7.0, 6.0] };
         assert_eq!(distribution[Property::FlapStiffness], Some(own));
         assert_eq!(check(&blade).unwrap().stiffness(Dof::Lag).at(1.0), 9.0);
-        let clamped = blade.with_flap(RootDefinition::hingeless(0.2)).with_torsion(RootDefinition::rigid(0.3));
+        let clamped = blade
+            .with_flap(RootDefinition::hingeless(0.2))
+            .with_lag(RootDefinition::hingeless(0.2))
+            .with_torsion(RootDefinition::rigid(0.3));
         assert_eq!(check(&clamped).unwrap().root(Dof::Torsion).offset, 0.3);
     }
 

@@ -18,9 +18,10 @@ pub use check::check;
 pub(crate) use check::choice_fault;
 pub use convert::convert;
 pub use definition::{
-    BladeDefinition, DistributionDefinition, PropertyDefinition, RootDefinition, RootKind, RotorDefinition, Source,
+    BladeDefinition, DistributionDefinition, PointMassDefinition, PropertyDefinition, RootDefinition, RootKind,
+    RotorDefinition, Source, SpringAngle,
 };
-pub use model::{Blade, Root, RootCondition};
+pub use model::{Blade, PointMass, Root, RootCondition};
 pub use property::Property;
 pub use section::{Place, Section, Stretch, stretches};
 pub use tension::moments;

@@ -1,5 +1,6 @@
 //! A checked blade in SI units: what the solver works on.
 
+use super::definition::SpringAngle;
 use super::property::Property;
 use crate::dof::Dof;
 use crate::fault::Warning;
@@ -27,6 +28,31 @@ pub struct Root {
     pub condition: RootCondition,
 }
 
+/// A mass at one radius. It acts in every degree of freedom whose root is not outboard of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointMass {
+    /// Radius, from the least root offset to the tip radius [m].
+    pub r: f64,
+    /// Mass, at least 0 [kg].
+    pub mass: f64,
+    /// Its centre ahead of the elastic axis [m]; + toward the leading edge.
+    pub offset: f64,
+    /// Moment of inertia of its extent out of the chord plane, about the elastic axis [kg·m²].
+    pub flap_inertia: f64,
+    /// Moment of inertia of its extent along the chord, about the elastic axis [kg·m²]. But for
+    /// rounding, the sum of both is at least mass·offset².
+    pub lag_inertia: f64,
+}
+
+/// How a blade stands on its rotor: all angles in rad, the offset in m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Pose {
+    pub(super) pitch: f64,
+    pub(super) precone: f64,
+    pub(super) torque_offset: f64,
+    pub(super) spring_angle: SpringAngle,
+}
+
 /// A blade that passed every check, in SI units. Each stiffness covers the span of its degree of
 /// freedom, mass that of flap and lag, and so on; the solver relies on it.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,7 +62,11 @@ pub struct Blade {
     pub(super) nominal_speed: f64,
     pub(super) blades: Option<u32>,
     pub(super) roots: [Root; 3],
+    pub(super) pose: Pose,
     pub(super) properties: [PiecewiseLinear; Property::COUNT],
+    /// Which properties the definition gives; the others are 0, or a sum of some that it gives.
+    pub(super) given: [bool; Property::COUNT],
+    pub(super) point_masses: Vec<PointMass>,
     pub(super) warnings: Vec<Warning>,
 }
 
@@ -71,6 +101,42 @@ impl Blade {
         self.roots.iter().fold(f64::INFINITY, |least, root| least.min(root.offset))
     }
 
+    /// Collective pitch [rad], + nose up; added to the twist everywhere.
+    pub fn pitch(&self) -> f64 {
+        self.pose.pitch
+    }
+
+    /// Precone [rad], + tip up; its apex lies on the rotor's axis.
+    pub fn precone(&self) -> f64 {
+        self.pose.precone
+    }
+
+    /// Elastic axis ahead of the radial line through the rotor's axis [m]; + toward the leading edge.
+    pub fn torque_offset(&self) -> f64 {
+        self.pose.torque_offset
+    }
+
+    /// By what angle [rad] the springs of flap and lag are turned; 0 where their radii differ.
+    pub fn spring_angle(&self) -> SpringAngle {
+        self.pose.spring_angle
+    }
+
+    /// Masses that are not spread along the span, by ascending radius.
+    pub fn point_masses(&self) -> &[PointMass] {
+        &self.point_masses
+    }
+
+    /// Whether flap and lag inertia are given; else a thin section is meant, all of whose polar
+    /// inertia is that of lag.
+    pub fn inertias_given(&self) -> bool {
+        self.gives(Property::FlapInertia)
+    }
+
+    /// Whether the definition gives a property itself; else it is 0, or a sum of some that it gives.
+    pub fn gives(&self, property: Property) -> bool {
+        self.given[property.index()]
+    }
+
     /// A property along the span, in SI units.
     pub fn property(&self, property: Property) -> &PiecewiseLinear {
         &self.properties[property.index()]
@@ -91,6 +157,18 @@ impl Blade {
         self.property(Property::PolarInertia)
     }
 
+    /// Moment of inertia per length of the extent out of the chord plane, about the elastic axis
+    /// [kg·m]; 0 where it [is not given](Self::inertias_given).
+    pub fn flap_inertia(&self) -> &PiecewiseLinear {
+        self.property(Property::FlapInertia)
+    }
+
+    /// Moment of inertia per length of the extent along the chord, about the elastic axis [kg·m]; 0
+    /// where it [is not given](Self::inertias_given).
+    pub fn lag_inertia(&self) -> &PiecewiseLinear {
+        self.property(Property::LagInertia)
+    }
+
     /// Centre of mass ahead of the elastic axis Y(r) [m]; + toward the leading edge.
     pub fn mass_offset(&self) -> &PiecewiseLinear {
         self.property(Property::MassOffset)
@@ -99,6 +177,22 @@ impl Blade {
     /// Built-in twist along the span [rad]; + nose up.
     pub fn twist(&self) -> &PiecewiseLinear {
         self.property(Property::Twist)
+    }
+
+    /// Tension centre ahead of the elastic axis [m]; + toward the leading edge.
+    pub fn tension_offset(&self) -> &PiecewiseLinear {
+        self.property(Property::TensionOffset)
+    }
+
+    /// Axial stiffness EA [N], greater than 0; 0 everywhere where it is not known.
+    pub fn axial_stiffness(&self) -> &PiecewiseLinear {
+        self.property(Property::AxialStiffness)
+    }
+
+    /// Radius of gyration of the tensioned area about the elastic axis [m], where it is given in place
+    /// of the axial stiffness.
+    pub fn trapeze_radius(&self) -> &PiecewiseLinear {
+        self.property(Property::TrapezeRadius)
     }
 
     /// What in the blade's input does not act as its author may expect, whatever is solved.

@@ -18,6 +18,12 @@ pub(super) struct Row {
     /// Whether it must be given; else it is 0 where it is not, and one that is 0 everywhere need be
     /// known nowhere.
     pub(super) required: bool,
+    /// Properties of which it is the sum where it is not given and they are.
+    pub(super) sum_of: &'static [Property],
+    /// A property without which it must not be given.
+    pub(super) together_with: Option<Property>,
+    /// A property beside which it must not be given.
+    pub(super) not_beside: Option<Property>,
     /// It must be known from the innermost of these roots to the tip.
     pub(super) known_from: &'static [Dof],
     /// And from these roots where the other property is not 0 everywhere.
@@ -33,6 +39,9 @@ const USUAL: Row = Row {
     unit: |_| 1.0,
     range: Range::FINITE,
     required: true,
+    sum_of: &[],
+    together_with: None,
+    not_beside: None,
     known_from: &[],
     also_from: &[],
     acts_outboard_of: &[],
@@ -97,8 +106,31 @@ properties! {
         words: "polar inertia",
         unit: Units::polar_inertia,
         range: Range::zero_or(1e-30, 1e30, "kg·m"),
+        sum_of: &[Property::FlapInertia, Property::LagInertia],
         known_from: &[Dof::Torsion],
         acts_outboard_of: &[Dof::Torsion],
+    }
+    /// Mass moment of inertia per length of the extent out of the chord plane, about the elastic
+    /// axis [mass·length].
+    FlapInertia {
+        key: "flap_inertia",
+        words: "flap inertia",
+        unit: Units::polar_inertia,
+        range: Range::zero_or(1e-30, 1e30, "kg·m"),
+        required: false,
+        together_with: Some(Property::LagInertia),
+        known_from: &[Dof::Flap, Dof::Lag, Dof::Torsion],
+    }
+    /// Mass moment of inertia per length of the extent along the chord, about the elastic axis
+    /// [mass·length].
+    LagInertia {
+        key: "lag_inertia",
+        words: "lag inertia",
+        unit: Units::polar_inertia,
+        range: Range::zero_or(1e-30, 1e30, "kg·m"),
+        required: false,
+        together_with: Some(Property::FlapInertia),
+        known_from: &[Dof::Flap, Dof::Lag, Dof::Torsion],
     }
     /// Centre of mass ahead of the elastic axis, + toward the leading edge [length].
     MassOffset {
@@ -116,6 +148,34 @@ properties! {
         unit: |units| units.angle.si(),
         range: Range::up_to(1e6, "rad"),
         required: false,
+    }
+    /// Tension centre ahead of the elastic axis, + toward the leading edge [length].
+    TensionOffset {
+        key: "tension_offset",
+        words: "tension offset",
+        unit: |units| units.length.si(),
+        range: Range::up_to(1e6, "m"),
+        required: false,
+        known_from: &[Dof::Flap, Dof::Lag, Dof::Torsion],
+    }
+    /// Axial stiffness EA [force]; not known where it is not given.
+    AxialStiffness {
+        key: "axial_stiffness",
+        words: "axial stiffness",
+        unit: |units| units.force.si(),
+        range: Range::positive(1e-30, 1e30, "N"),
+        required: false,
+        known_from: &[Dof::Torsion],
+    }
+    /// Radius of gyration of the tensioned area about the elastic axis [length].
+    TrapezeRadius {
+        key: "trapeze_radius",
+        words: "trapeze radius",
+        unit: |units| units.length.si(),
+        range: Range::zero_or(1e-30, 1e6, "m"),
+        required: false,
+        not_beside: Some(Property::AxialStiffness),
+        known_from: &[Dof::Torsion],
     }
 }
 
@@ -149,9 +209,15 @@ impl Property {
         (self.row().unit)(units)
     }
 
-    /// Whether a blade must give it; else it is 0 where it does not.
+    /// Whether a blade must give it, or what it is the [sum of](Self::sum_of); else it is 0 where it
+    /// does not.
     pub fn is_required(self) -> bool {
         self.row().required
+    }
+
+    /// Properties of which it is the sum where a blade gives them and not it.
+    pub fn sum_of(self) -> &'static [Self] {
+        self.row().sum_of
     }
 
     /// The stiffness of a degree of freedom.
@@ -188,11 +254,23 @@ mod tests {
         assert_eq!(Property::from_key("chord"), None);
     }
 
-    /// 0 must be legal for what may be left out, as that is what it then is.
+    /// 0 must be legal for what may be left out, as that is what it then is; but an axial stiffness
+    /// that is left out is not known, and none is 0.
     #[test]
     fn what_may_be_left_out_may_be_zero() {
         for property in Property::ALL.into_iter().filter(|property| !property.is_required()) {
-            assert_eq!(property.row().range.broken_by(0.0), None, "{property:?}");
+            let unknown = property == Property::AxialStiffness;
+            assert_eq!(property.row().range.broken_by(0.0).is_some(), unknown, "{property:?}");
         }
+    }
+
+    #[test]
+    fn what_belongs_together_says_so_on_either_side() {
+        for property in Property::ALL {
+            if let Some(other) = property.row().together_with {
+                assert_eq!(other.row().together_with, Some(property), "{property:?}");
+            }
+        }
+        assert_eq!(Property::PolarInertia.sum_of(), [Property::FlapInertia, Property::LagInertia]);
     }
 }

@@ -56,6 +56,8 @@ impl Range {
         Some(Cow::Owned(match self.sign {
             Sign::Positive => format!("must be from {least:e} to {most:e} {unit}"),
             Sign::NotNegative => format!("must be 0 or from {least:e} to {most:e} {unit}"),
+            // An angle is no power of ten.
+            Sign::Any if *most < 10.0 => format!("must be from -{most} to {most} {unit}"),
             Sign::Any => format!("must be from -{most:e} to {most:e} {unit}"),
         }))
     }
@@ -87,6 +89,7 @@ mod tests {
         assert_eq!(mass.broken_by(-1e-300).as_deref(), Some("must be at least 0"));
         assert_eq!(mass.broken_by(1e-300).as_deref(), Some("must be 0 or from 1e-30 to 1e30 kg/m"));
         assert_eq!(Range::up_to(1e6, "m").broken_by(-2e6).as_deref(), Some("must be from -1e6 to 1e6 m"));
+        assert_eq!(Range::up_to(1.5, "rad").broken_by(2.0).as_deref(), Some("must be from -1.5 to 1.5 rad"));
         assert_eq!(Range::FINITE.broken_by(-1e308), None);
         assert_eq!(Range::NOT_NEGATIVE.broken_by(1e308), None);
     }

@@ -58,6 +58,35 @@ impl PiecewiseLinear {
         (value, value)
     }
 
+    /// The sum of both functions. Its stations are those of either, but for a constant's, which needs
+    /// none; a step of either is a step.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        let constant = |f: &Self| f.x.len() == 1;
+        let mut x: Vec<f64> = match (constant(self), constant(other)) {
+            (_, true) => self.x.clone(),
+            (true, false) => other.x.clone(),
+            (false, false) => self.x.iter().chain(&other.x).copied().collect(),
+        };
+        x.sort_by(f64::total_cmp);
+        x.dedup();
+        let steps = |f: &Self, x: f64| {
+            let first = f.x.partition_point(|&s| s < x);
+            f.x.get(first + 1).is_some_and(|&second| second <= x)
+        };
+        let mut sum = Self { x: Vec::with_capacity(x.len()), y: Vec::with_capacity(x.len()) };
+        for x in x {
+            let ((a, b), (c, d)) = (self.limits(x), other.limits(x));
+            sum.x.push(x);
+            sum.y.push(a + c);
+            if steps(self, x) || steps(other, x) {
+                sum.x.push(x);
+                sum.y.push(b + d);
+            }
+        }
+        sum
+    }
+
     /// The function between two radii with no station between them, from its limits there.
     pub fn between(&self, from: f64, to: f64) -> Linear {
         let (inner, outer) = (self.limits(from).1, self.limits(to).0);
@@ -102,6 +131,26 @@ mod tests {
         assert_eq!(f.limits(1.0), (0.0, 0.0));
         assert_eq!(f.limits(4.0), (7.0, 7.0));
         assert_eq!(PiecewiseLinear::uniform(3.0).at(17.0), 3.0);
+    }
+
+    #[test]
+    fn a_sum_has_the_stations_and_steps_of_both() {
+        let f = PiecewiseLinear::new(vec![1.0, 2.0, 2.0, 4.0], vec![0.0, 1.0, 5.0, 7.0]).unwrap();
+        let g = PiecewiseLinear::new(vec![0.0, 2.0, 3.0, 3.0], vec![1.0, 3.0, 1.0, 0.0]).unwrap();
+        let sum = f.plus(&g);
+        assert_eq!(sum, g.plus(&f));
+        assert_eq!(sum.stations(), [0.0, 1.0, 2.0, 2.0, 3.0, 3.0, 4.0]);
+        assert_eq!(sum.values(), [1.0, 2.0, 4.0, 8.0, 7.0, 6.0, 7.0]);
+        for x in [-1.0, 0.5, 1.5, 2.5, 3.5, 5.0] {
+            assert_eq!(sum.at(x), f.at(x) + g.at(x), "{x}");
+        }
+        assert!(PiecewiseLinear::new(sum.stations().to_vec(), sum.values().to_vec()).is_some());
+        // A constant has no station of its own, and a step whose sides are equal stays one.
+        let one = PiecewiseLinear::uniform(1.0);
+        assert_eq!(one.plus(&f).stations(), f.stations());
+        assert_eq!(one.plus(&one), PiecewiseLinear::uniform(2.0));
+        let level = PiecewiseLinear::new(vec![1.0, 1.0, 2.0], vec![3.0, 3.0, 3.0]).unwrap();
+        assert_eq!(level.plus(&level).stations(), [1.0, 1.0, 2.0]);
     }
 
     #[test]

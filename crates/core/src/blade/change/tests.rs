@@ -1,7 +1,7 @@
 #![allow(clippy::unwrap_used, clippy::float_cmp, reason = "a test may stop; what is not changed keeps its bits")]
 
 use super::*;
-use crate::blade::{RootDefinition, check};
+use crate::blade::{PointMassDefinition, RootDefinition, check};
 use crate::units::LengthUnit;
 use alloc::vec;
 use proptest::prelude::*;
@@ -85,6 +85,45 @@ fn scaled_mass_takes_its_inertia_along_and_says_so() {
         let Changed { blade: changed, notes } = change(&blade(), &[alone]).unwrap();
         assert_eq!(property(&changed, Property::PolarInertia), property(&blade(), Property::PolarInertia));
         assert!(notes.is_empty());
+    }
+}
+
+/// What is given instead of the polar inertia goes along as that would, and so do masses on the part.
+#[test]
+fn scaled_mass_takes_both_inertias_and_its_point_masses_along() {
+    let mut given = blade()
+        .with(Property::FlapInertia, 0.25)
+        .with(Property::LagInertia, 0.5)
+        .with_point_mass(PointMassDefinition::new(1.0, 1.0))
+        .with_point_mass(PointMassDefinition::new(2.0, 1.0).with_offset(0.5).with_inertias(0.125, 0.375))
+        .with_point_mass(PointMassDefinition::new(4.0, 1.0).with_offset(0.5));
+    given.distribution.as_mut().unwrap()[Property::PolarInertia] = None;
+    let heavy = Change::new(MASS, Amount::Scale(2.0)).on(2.0, 4.0);
+    let Changed { blade: changed, notes } = change(&given, &[heavy]).unwrap();
+    let twice = |value: f64| own(&[(0.0, value), (2.0, value), (2.0, 2.0 * value), (4.0, 2.0 * value)]);
+    assert_eq!(*property(&changed, Property::FlapInertia), twice(0.25));
+    assert_eq!(*property(&changed, Property::LagInertia), twice(0.5));
+    let masses = [
+        given.point_masses[0],
+        PointMassDefinition::new(2.0, 2.0).with_offset(0.5).with_inertias(0.25, 0.75),
+        PointMassDefinition::new(4.0, 2.0).with_offset(0.5),
+    ];
+    assert_eq!(changed.point_masses, masses);
+    let paths: Vec<&str> = notes.iter().map(|note| note.path.as_str()).collect();
+    assert_eq!(paths, ["distribution.flap_inertia", "distribution.lag_inertia", "point_mass[1]", "point_mass[2]"]);
+    check(&changed).unwrap();
+    // Where two parts meet, a mass is scaled once; beyond the tip and by nothing, never.
+    let parts = [heavy, Change::new(MASS, Amount::Scale(2.0)).on(0.5, 2.0)];
+    assert_eq!(change(&given, &parts).unwrap().blade.point_masses[1], masses[1]);
+    for none in [
+        Change { mass_alone: true, ..heavy },
+        Change { amount: Amount::Add(3.0), ..heavy },
+        Change { amount: Amount::Scale(1.0), ..heavy },
+        heavy.on(5.0, 6.0),
+    ] {
+        let changed = change(&given, &[none]).unwrap();
+        assert_eq!(changed.blade.point_masses, given.point_masses, "{none:?}");
+        assert!(changed.notes.is_empty(), "{none:?}");
     }
 }
 

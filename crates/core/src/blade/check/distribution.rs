@@ -58,8 +58,12 @@ impl Checker {
             return Default::default();
         };
         let stations = given.r.as_ref().map(|r| self.stations("distribution.r".into(), r, radius));
-        let known =
-            Property::ALL.map(|property| self.property(property, given[property].as_ref(), stations.as_ref(), radius));
+        let mut known = Property::ALL.map(|property| self.property(property, given, stations.as_ref(), radius));
+        for property in Property::ALL {
+            if is_sum(property, given) {
+                known[property.index()] = sum(property, &known);
+            }
+        }
         if let Some(radius) = radius {
             for property in Property::ALL {
                 if let (Some(found), Some(from)) = (&known[property.index()], inmost(property, &known, roots)) {
@@ -67,9 +71,7 @@ impl Checker {
                 }
             }
             for property in Property::ALL {
-                if let Some(found) = &known[property.index()] {
-                    self.acts_outboard(property, found, roots, radius);
-                }
+                self.acts_outboard(property, given, &known, roots, radius);
             }
         }
         self.distribution_warnings(given, radius);
@@ -111,7 +113,7 @@ impl Checker {
     }
 
     /// Whether a list has more values than are taken, with the fault.
-    fn too_long(&mut self, path: &str, count: usize, subject: &str) -> bool {
+    pub(super) fn too_long(&mut self, path: &str, count: usize, subject: &str) -> bool {
         if count > MOST_STATIONS {
             let rule = format!("must have at most {MOST_STATIONS} values");
             self.refuse_as("has", FaultCode::Length, path, Some(format!("{count}")), subject, &rule);
@@ -119,24 +121,23 @@ impl Checker {
         count > MOST_STATIONS
     }
 
-    /// A property as the solver takes it; 0 where it may be left out and is.
+    /// A property as the solver takes it; 0 where it may be left out and is, none where it is
+    /// faulty or the sum of others.
     fn property(
         &mut self,
         property: Property,
-        given: Option<&PropertyDefinition>,
+        given: &DistributionDefinition,
         stations: Option<&Stations>,
         radius: Option<Length>,
     ) -> Option<Known> {
         let row = property.row();
         let path = format!("distribution.{}", row.key);
-        let Some(given) = given else {
-            if row.required {
-                self.missing(&path, row.words);
-                return None;
-            }
-            return Some(Known { function: PiecewiseLinear::uniform(0.0), reach: None });
-        };
-        match given {
+        let Some(value) = &given[property] else { return self.absent(property, &path, given) };
+        if let Some(other) = row.not_beside.filter(|other| given[*other].is_some()) {
+            let rule = format!("must not be given beside {}", other.key());
+            self.refuse(FaultCode::Conflict, &path, None, row.words, &rule);
+        }
+        match value {
             PropertyDefinition::Uniform(value) => {
                 let value = self.number(&path, &row.words, *value, property.unit(&self.units), row.range)?;
                 Some(Known { function: PiecewiseLinear::uniform(value), reach: None })
@@ -153,6 +154,24 @@ impl Checker {
                 self.values(property, &format!("{path}.values"), values, Some(&stations))
             }
         }
+    }
+
+    /// What a property is that is not given.
+    fn absent(&mut self, property: Property, path: &str, given: &DistributionDefinition) -> Option<Known> {
+        let row = property.row();
+        if let Some(other) = row.together_with.filter(|other| given[*other].is_some()) {
+            let rule = format!("must be given where {} is", other.key());
+            self.refuse(FaultCode::Missing, path, None, row.words, &rule);
+            return None;
+        }
+        if !row.required {
+            return Some(Known { function: PiecewiseLinear::uniform(0.0), reach: None });
+        }
+        // A sum that lacks a part is told of there.
+        if row.sum_of.iter().all(|part| given[*part].is_none()) {
+            self.missing(path, row.words);
+        }
+        None
     }
 
     fn values(&mut self, property: Property, path: &str, values: &[f64], stations: Option<&Stations>) -> Option<Known> {
@@ -208,18 +227,35 @@ impl Checker {
         self.refuse_as("is given from", FaultCode::Uncovered, &path, Some(reach), property.words(), &rule);
     }
 
-    /// Mass or inertia must be greater than 0 somewhere outboard of each root that moves it.
-    fn acts_outboard(&mut self, property: Property, known: &Known, roots: &[CheckedRoot; 3], radius: Length) {
+    /// Mass or inertia must be greater than 0 somewhere outboard of each root that moves it; of a sum,
+    /// any part of it.
+    fn acts_outboard(
+        &mut self,
+        property: Property,
+        given: &DistributionDefinition,
+        known: &[Option<Known>; Property::COUNT],
+        roots: &[CheckedRoot; 3],
+        radius: Length,
+    ) {
         let row = property.row();
+        let alone = [property];
+        let parts = if is_sum(property, given) { row.sum_of } else { &alone };
+        let Some(found) = parts.iter().map(|part| known[part.index()].as_ref()).collect::<Option<Vec<_>>>() else {
+            return;
+        };
+        let (Some(last), words) = (parts.last(), parts.iter().map(|part| part.words()).collect::<Vec<_>>()) else {
+            return;
+        };
         for &dof in row.acts_outboard_of {
             let Some(offset) = roots[dof.index()].offset else { continue };
-            if !known.positive_between(offset.si, radius.si) {
+            if !found.iter().any(|part| part.positive_between(offset.si, radius.si)) {
                 let unit = self.units.length;
                 let rule = format!(
                     "must be greater than 0 somewhere outboard of the {dof} root at r = {} {unit}",
                     shortest(offset.given)
                 );
-                self.refuse(FaultCode::OutOfRange, &format!("distribution.{}", row.key), None, row.words, &rule);
+                let path = format!("distribution.{}", last.key());
+                self.refuse(FaultCode::OutOfRange, &path, None, &words.join(" or "), &rule);
                 return;
             }
         }
@@ -244,6 +280,22 @@ impl Checker {
             }
         }
     }
+}
+
+/// Whether a property is the sum of others.
+fn is_sum(property: Property, given: &DistributionDefinition) -> bool {
+    let parts = property.row().sum_of;
+    given[property].is_none() && !parts.is_empty() && parts.iter().all(|part| given[*part].is_some())
+}
+
+/// A property that is the sum of others; none where one of them is faulty.
+fn sum(property: Property, known: &[Option<Known>; Property::COUNT]) -> Option<Known> {
+    let parts = property.row().sum_of.iter().map(|part| known[part.index()].as_ref().map(|part| &part.function));
+    let parts = parts.collect::<Option<Vec<_>>>()?;
+    let (first, others) = parts.split_first()?;
+    // Its parts reach as far as they must.
+    let function = others.iter().fold((*first).clone(), |sum, part| sum.plus(part));
+    Some(Known { function, reach: None })
 }
 
 /// The innermost root from which a property must be known; none where it need not be, or where a

@@ -6,7 +6,7 @@ use crate::units::{ForceUnit, LengthUnit, MassUnit, SpeedUnit};
 use alloc::vec;
 
 /// A uniform blade with roots at the centre of rotation.
-fn definition() -> BladeDefinition {
+pub(super) fn definition() -> BladeDefinition {
     BladeDefinition::new("test", 2.0, 60.0)
         .with_flap(RootDefinition::hingeless(0.0))
         .with_lag(RootDefinition::hinged(0.0))
@@ -200,4 +200,77 @@ fn too_many_stations_are_one_fault_of_each_list() {
     let expected = "distribution.r: list of radii must have at most 10000 values (has 10001)\n\
                     distribution.mass: mass per length must have at most 10000 values (has 10001)";
     assert_eq!(check(&with(10_001)).unwrap_err().to_string(), expected);
+}
+
+fn without(mut given: BladeDefinition, property: Property) -> BladeDefinition {
+    given.distribution.as_mut().unwrap()[property] = None;
+    given
+}
+
+#[test]
+fn polar_inertia_is_the_sum_of_flap_and_lag_inertia_where_it_is_not_given() {
+    let both = definition()
+        .with(Property::FlapInertia, [(0.0, 1.0), (1.0, 1.0), (1.0, 3.0), (2.0, 3.0)])
+        .with(Property::LagInertia, [(0.0, 2.0), (1.5, 5.0), (2.0, 0.0)]);
+    let sum = check(&without(both.clone(), Property::PolarInertia)).unwrap();
+    assert_eq!(sum.polar_inertia().stations(), [0.0, 1.0, 1.0, 1.5, 2.0]);
+    assert_eq!(sum.polar_inertia().values(), [3.0, 5.0, 7.0, 8.0, 3.0]);
+    assert!(sum.inertias_given() && !sum.gives(Property::PolarInertia));
+    let given = check(&both).unwrap();
+    assert_eq!(given.polar_inertia(), &PiecewiseLinear::uniform(1.0), "what is given stays");
+    assert_eq!((given.flap_inertia(), given.lag_inertia()), (sum.flap_inertia(), sum.lag_inertia()));
+    let neither = check(&definition()).unwrap();
+    assert!(!neither.inertias_given() && neither.gives(Property::PolarInertia));
+    assert_eq!(neither.flap_inertia(), &PiecewiseLinear::uniform(0.0));
+}
+
+#[test]
+fn flap_and_lag_inertia_stand_together() {
+    let alone = definition().with(Property::FlapInertia, 1.0);
+    let message = "distribution.lag_inertia: lag inertia must be given where flap_inertia is";
+    for given in [alone.clone(), without(alone, Property::PolarInertia)] {
+        assert_eq!(check(&given).unwrap_err().to_string(), message);
+    }
+    let alone = definition().with(Property::LagInertia, 0.0);
+    let message = "distribution.flap_inertia: flap inertia must be given where lag_inertia is";
+    assert_eq!(check(&alone).unwrap_err().to_string(), message);
+    // A faulty part makes no second fault of the sum.
+    let faulty = definition().with(Property::FlapInertia, -1.0).with(Property::LagInertia, 1.0);
+    let message = "distribution.flap_inertia: flap inertia must be at least 0 (is -1)";
+    assert_eq!(check(&without(faulty, Property::PolarInertia)).unwrap_err().to_string(), message);
+}
+
+#[test]
+fn a_sum_of_inertias_must_act_in_torsion_and_its_parts_be_known_outboard_of_every_root() {
+    let with = |flap: &[(f64, f64)], lag: f64| {
+        let given = definition().with_torsion(RootDefinition::rigid(1.0)).with(Property::FlapInertia, flap);
+        check(&without(given.with(Property::LagInertia, lag), Property::PolarInertia))
+    };
+    let inner = [(0.0, 1.0), (1.0, 1.0), (1.0, 0.0), (2.0, 0.0)];
+    assert!(with(&inner, 1.0).is_ok());
+    let message = "distribution.lag_inertia: flap inertia or lag inertia must be greater than 0 somewhere outboard of \
+                   the torsion root at r = 1 m";
+    assert_eq!(with(&inner, 0.0).unwrap_err().to_string(), message);
+    let message = "distribution.flap_inertia: flap inertia must be given from r = 0 to 2 m (is given from 1 to 2 m)";
+    assert_eq!(with(&[(1.0, 1.0), (2.0, 1.0)], 1.0).unwrap_err().to_string(), message);
+    assert!(with(&[(1.0, 0.0), (1.5, 0.0)], 1.0).is_ok(), "0 everywhere need be known nowhere");
+}
+
+#[test]
+fn what_gives_the_trapeze_radius_stands_alone() {
+    let given = definition().with(Property::AxialStiffness, 5e8).with(Property::TensionOffset, -0.1);
+    let blade = check(&given).unwrap();
+    assert_eq!((blade.axial_stiffness().at(1.0), blade.tension_offset().at(1.0)), (5e8, -0.1));
+    assert_eq!(check(&definition().with(Property::TrapezeRadius, 0.1)).unwrap().trapeze_radius().at(1.0), 0.1);
+    let message = "distribution.trapeze_radius: trapeze radius must not be given beside axial_stiffness";
+    assert_eq!(check(&given.with(Property::TrapezeRadius, 0.1)).unwrap_err().to_string(), message);
+    let cases = [
+        (Property::AxialStiffness, 0.0, "axial_stiffness: axial stiffness must be greater than 0 (is 0)"),
+        (Property::TrapezeRadius, -0.1, "trapeze_radius: trapeze radius must be at least 0 (is -0.1)"),
+        (Property::TensionOffset, 1e7, "tension_offset: tension offset must be from -1e6 to 1e6 m (is 10000000)"),
+    ];
+    for (property, value, message) in cases {
+        let found = check(&definition().with(property, value)).unwrap_err().to_string();
+        assert_eq!(found, format!("distribution.{message}"));
+    }
 }

@@ -3,8 +3,8 @@
 use super::SCHEMA;
 use super::tree::{Entry, Node, Tree};
 use crate::blade::{
-    BladeDefinition, DistributionDefinition, Property, PropertyDefinition, RootDefinition, RootKind, RotorDefinition,
-    Source, choice_fault,
+    BladeDefinition, DistributionDefinition, PointMassDefinition, Property, PropertyDefinition, RootDefinition,
+    RootKind, RotorDefinition, Source, SpringAngle, choice_fault,
 };
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode};
@@ -17,6 +17,13 @@ use alloc::vec::Vec;
 
 /// Longest piece of a file that is repeated in a message, in characters.
 const LONGEST: usize = 40;
+/// Keys of the whole file.
+const FILE: [&str; 11] =
+    ["schema", "name", "notes", "source", "units", "rotor", "flap", "lag", "torsion", "distribution", "point_mass"];
+/// Keys of the rotor.
+const ROTOR: [&str; 7] = ["radius", "nominal_speed", "blades", "pitch", "precone", "torque_offset", "spring_angle"];
+/// Keys of a point mass.
+const POINT_MASS: [&str; 5] = ["r", "mass", "offset", "flap_inertia", "lag_inertia"];
 /// Keys of the table of units.
 const UNITS: [&str; 5] = ["length", "mass", "force", "angle", "speed"];
 
@@ -51,8 +58,7 @@ impl<'t> Table<'t> {
 impl Reader {
     /// Reads a whole blade file.
     pub(super) fn definition(&mut self, tree: &Tree) -> BladeDefinition {
-        let known = ["schema", "name", "notes", "source", "units", "rotor", "flap", "lag", "torsion", "distribution"];
-        let Some(file) = self.table("", tree, &known) else { return BladeDefinition::default() };
+        let Some(file) = self.table("", tree, &FILE) else { return BladeDefinition::default() };
         self.schema(&file);
         BladeDefinition {
             name: self.text(&file, "name"),
@@ -63,17 +69,20 @@ impl Reader {
             units: self
                 .sub_table(&file, "units", &UNITS)
                 .map_or_else(Units::default, |table| self.units(&table, Units::default())),
-            rotor: self.sub_table(&file, "rotor", &["radius", "nominal_speed", "blades"]).map(|table| {
-                RotorDefinition {
-                    radius: self.number(&table, "radius"),
-                    nominal_speed: self.number(&table, "nominal_speed"),
-                    blades: self.number(&table, "blades"),
-                }
+            rotor: self.sub_table(&file, "rotor", &ROTOR).map(|table| RotorDefinition {
+                radius: self.number(&table, "radius"),
+                nominal_speed: self.number(&table, "nominal_speed"),
+                blades: self.number(&table, "blades"),
+                pitch: self.number(&table, "pitch"),
+                precone: self.number(&table, "precone"),
+                torque_offset: self.number(&table, "torque_offset"),
+                spring_angle: self.spring_angle(&table),
             }),
             flap: self.root(&file, Dof::Flap),
             lag: self.root(&file, Dof::Lag),
             torsion: self.root(&file, Dof::Torsion),
             distribution: self.distribution(&file),
+            point_masses: self.point_masses(&file),
         }
     }
 
@@ -234,6 +243,37 @@ impl Reader {
             offset_ratio: self.number(&table, "offset_ratio"),
             spring: self.number(&table, "spring"),
         })
+    }
+
+    fn spring_angle(&mut self, table: &Table) -> Option<SpringAngle> {
+        let tree = table.get("spring_angle")?;
+        match &tree.node {
+            Node::Number(angle) => return Some(SpringAngle::Angle(*angle)),
+            Node::Text(text) if text == SpringAngle::PITCH => return Some(SpringAngle::Pitch),
+            _ => self.wrong_type(&table.path("spring_angle"), tree, "must be a number or \"pitch\""),
+        }
+        Some(SpringAngle::Angle(f64::NAN))
+    }
+
+    fn point_masses(&mut self, file: &Table) -> Vec<PointMassDefinition> {
+        let Some(tree) = file.get("point_mass") else { return Vec::new() };
+        let Node::List(list) = &tree.node else {
+            self.wrong_type("point_mass", tree, "must be a list of tables");
+            return Vec::new();
+        };
+        let mass = |(i, tree)| {
+            let Some(table) = self.table(&format!("point_mass[{i}]"), tree, &POINT_MASS) else {
+                return PointMassDefinition::default();
+            };
+            PointMassDefinition {
+                r: self.number(&table, "r"),
+                mass: self.number(&table, "mass"),
+                offset: self.number(&table, "offset"),
+                flap_inertia: self.number(&table, "flap_inertia"),
+                lag_inertia: self.number(&table, "lag_inertia"),
+            }
+        };
+        list.iter().enumerate().map(mass).collect()
     }
 
     fn distribution(&mut self, file: &Table) -> Option<DistributionDefinition> {

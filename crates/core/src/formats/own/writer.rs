@@ -3,7 +3,8 @@
 use super::SCHEMA;
 use super::tree::{Entry, Node, Tree};
 use crate::blade::{
-    BladeDefinition, DistributionDefinition, Property, PropertyDefinition, RootDefinition, RootKind, RotorDefinition,
+    BladeDefinition, DistributionDefinition, PointMassDefinition, Property, PropertyDefinition, RootDefinition,
+    RootKind, RotorDefinition, SpringAngle,
 };
 use crate::figures::Shortest;
 use crate::units::Units;
@@ -90,6 +91,31 @@ impl From<&RotorDefinition> for Tree {
             .with("radius", rotor.radius)
             .with("nominal_speed", rotor.nominal_speed)
             .with("blades", rotor.blades)
+            .with("pitch", rotor.pitch)
+            .with("precone", rotor.precone)
+            .with("torque_offset", rotor.torque_offset)
+            .with("spring_angle", rotor.spring_angle)
+            .into()
+    }
+}
+
+impl From<SpringAngle> for Tree {
+    fn from(angle: SpringAngle) -> Self {
+        match angle {
+            SpringAngle::Angle(angle) => angle.into(),
+            SpringAngle::Pitch => SpringAngle::PITCH.into(),
+        }
+    }
+}
+
+impl From<&PointMassDefinition> for Tree {
+    fn from(mass: &PointMassDefinition) -> Self {
+        Table::default()
+            .with("r", mass.r)
+            .with("mass", mass.mass)
+            .with("offset", mass.offset)
+            .with("flap_inertia", mass.flap_inertia)
+            .with("lag_inertia", mass.lag_inertia)
             .into()
     }
 }
@@ -111,6 +137,11 @@ impl From<&DistributionDefinition> for Tree {
         let with = |table: Table, property: Property| table.with(property.key(), given[property].as_ref());
         Property::ALL.into_iter().fold(radii, with).into()
     }
+}
+
+/// Point masses; nothing where there are none.
+fn point_masses(masses: &[PointMassDefinition]) -> Option<Tree> {
+    (!masses.is_empty()).then(|| Tree::new(Node::List(masses.iter().map(Tree::from).collect())))
 }
 
 /// The units that are not SI; nothing where all are.
@@ -140,6 +171,7 @@ fn tree(definition: &BladeDefinition) -> Tree {
         .with("lag", definition.lag.as_ref())
         .with("torsion", definition.torsion.as_ref())
         .with("distribution", definition.distribution.as_ref())
+        .with("point_mass", point_masses(&definition.point_masses))
         .into()
 }
 
@@ -148,15 +180,28 @@ type Written = core::fmt::Result;
 fn write_file(text: &mut String, entries: &[Entry]) -> Written {
     // Every key without a table stands before the first table.
     for entry in entries {
-        if let Node::Table(entries) = &entry.value.node {
-            text.newline()?;
-            text.open_table_header()?;
-            text.key(entry.key.as_str())?;
-            text.close_table_header()?;
-            text.newline()?;
-            write_lines(text, entries)?;
-        } else {
-            write_lines(text, core::slice::from_ref(entry))?;
+        match &entry.value.node {
+            Node::Table(entries) => {
+                text.newline()?;
+                text.open_table_header()?;
+                text.key(entry.key.as_str())?;
+                text.close_table_header()?;
+                text.newline()?;
+                write_lines(text, entries)?;
+            }
+            // A definition's only list outside its tables is one of tables.
+            Node::List(tables) => {
+                for table in tables {
+                    let Node::Table(entries) = &table.node else { continue };
+                    text.newline()?;
+                    text.open_array_of_tables_header()?;
+                    text.key(entry.key.as_str())?;
+                    text.close_array_of_tables_header()?;
+                    text.newline()?;
+                    write_lines(text, entries)?;
+                }
+            }
+            _ => write_lines(text, core::slice::from_ref(entry))?,
         }
     }
     Ok(())
