@@ -59,7 +59,7 @@ impl Layout {
 /// decay like e^(−fast·x): elements that double in length towards the middle follow both.
 ///
 /// No more than `most` elements at an even length, and a layer of [`THINNEST`] at the thinnest.
-fn cuts(length: f64, slow: f64, fast: f64, most: usize) -> Vec<(f64, f64)> {
+pub(crate) fn cuts(length: f64, slow: f64, fast: f64, most: usize) -> Vec<(f64, f64)> {
     let fast = fast.min(PHASE / (THINNEST * length));
     let slow = slow.min(fast);
     if fast * length <= LAYERED || slow > 0.5 * fast {
@@ -83,15 +83,15 @@ fn cuts(length: f64, slow: f64, fast: f64, most: usize) -> Vec<(f64, f64)> {
 }
 
 /// A stretch to become one or more elements.
-struct Piece {
-    from: f64,
-    length: f64,
+pub(crate) struct Piece {
+    pub(crate) from: f64,
+    pub(crate) length: f64,
     /// Means of the elastic weight, the inertia and the centrifugal weight per Ω².
-    elastic: f64,
-    inertia: f64,
-    centrifugal: f64,
+    pub(crate) elastic: f64,
+    pub(crate) inertia: f64,
+    pub(crate) centrifugal: f64,
     /// Largest over smallest stiffness.
-    taper: f64,
+    pub(crate) taper: f64,
 }
 
 /// A layout on which the `count` lowest modes at Ω² = `speed_squared` should be converged.
@@ -144,7 +144,7 @@ fn pieces(blade: &Blade, dof: Dof) -> Vec<Piece> {
 ///
 /// Bending: EI k⁴ + Ω² T k² = λ m and EI κ⁴ − Ω² T κ² = λ m of the equation with constant
 /// coefficients; torsion: GJ k² = λ ρI − Ω² m Y².
-fn rates(piece: &Piece, bending: bool, speed_squared: f64, eigenvalue: f64) -> (f64, f64) {
+pub(crate) fn rates(piece: &Piece, bending: bool, speed_squared: f64, eigenvalue: f64) -> (f64, f64) {
     let (pull, load) = (speed_squared * piece.centrifugal / piece.elastic, eigenvalue * piece.inertia / piece.elastic);
     if bending {
         let root = sqrt(pull * pull + 4.0 * load);
@@ -189,7 +189,7 @@ fn highest_eigenvalue(pieces: &[Piece], bending: bool, speed_squared: f64, count
 
 /// Polynomials for a strain that turns by `phase` over the element while the stiffness changes by
 /// `taper`: coefficients of e^(±phase ξ/2) fall like (phase/4)ᵇ/b!, those of 1/(1 + aξ) like ϱ⁻ᵇ.
-fn order(phase: f64, taper: f64) -> usize {
+pub(crate) fn order(phase: f64, taper: f64) -> usize {
     let a = (taper - 1.0) / (taper + 1.0);
     let pole = if a > 0.0 { a / (1.0 + sqrt(1.0 - a * a)) } else { 0.0 };
     let (mut wave, mut tail) = (1.0, a);

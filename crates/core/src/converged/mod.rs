@@ -23,6 +23,7 @@ use crate::numerics::scalar::sqrt;
 use alloc::vec::Vec;
 use elements::{Elements, Factor};
 use layout::first_layout;
+pub(crate) use layout::{Piece, cuts, order, rates};
 use nalgebra::DMatrix;
 use reduced::{Checked, Reduced};
 use refine::raise;

@@ -19,7 +19,7 @@ pub use fields::Fields;
 pub use grid::{Grid, Panel};
 pub use residual::residual_moments;
 pub(crate) use segments::{segments, taper_cuts};
-pub use terms::{Energy, Field, Quantity};
+pub use terms::{Energy, Field, Quantity, Term};
 pub use uncoupled::system;
 
 #[cfg(test)]

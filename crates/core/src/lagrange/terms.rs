@@ -38,9 +38,9 @@ pub enum Energy {
     Inertia,
 }
 
-/// One term of the energy.
+/// One term of the energy; its weight sees a section of type `S`.
 #[derive(Clone, Copy, Debug)]
-pub struct Term {
+pub struct Term<S = Section> {
     /// The matrix it belongs to.
     pub energy: Energy,
     /// Field of the rows.
@@ -48,7 +48,7 @@ pub struct Term {
     /// Field of the columns.
     pub column: Field,
     /// Its weight at a section; linear in stiffness and mass.
-    pub weight: fn(&Section) -> f64,
+    pub weight: fn(&S) -> f64,
 }
 
 impl Term {

@@ -41,9 +41,63 @@ pub fn bracketed_newton(mut f: impl FnMut(f64) -> (f64, f64), low: f64, high: f6
     x
 }
 
+/// Ends of a bracket nearer to one another than this, relatively, hold the root.
+const CLOSE: f64 = 1e-12;
+
+/// The root of a function between two points at which its values differ in sign, by the Illinois rule (M. Dowell &
+/// P. Jarratt, BIT 11, 1971), without slopes. `start` is a guess.
+pub fn bracketed(mut f: impl FnMut(f64) -> f64, low: (f64, f64), high: (f64, f64), start: f64) -> f64 {
+    let ((mut a, mut at_a), (mut b, mut at_b)) = (low, high);
+    if at_b == 0.0 {
+        return b;
+    }
+    let mut kept = 0_i8;
+    for step in 0..MOST_STEPS {
+        if at_a == 0.0 || (b - a).abs() <= CLOSE * a.abs().max(b.abs()) {
+            return a;
+        }
+        let line = if step == 0 { start } else { (a * at_b - b * at_a) / (at_b - at_a) };
+        // Now and then in the middle, so that it ends whatever the values.
+        let next = if step % 8 != 7 && line > a.min(b) && line < a.max(b) { line } else { a + 0.5 * (b - a) };
+        let value = f(next);
+        if value == 0.0 || (next - a).abs() <= CLOSE * next.abs() || (next - b).abs() <= CLOSE * next.abs() {
+            return next;
+        }
+        if (value > 0.0) == (at_b > 0.0) {
+            (b, at_b) = (next, value);
+            at_a *= if kept == 1 { 0.5 } else { 1.0 };
+            kept = 1;
+        } else {
+            (a, at_a) = (next, value);
+            at_b *= if kept == -1 { 0.5 } else { 1.0 };
+            kept = -1;
+        }
+    }
+    a
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn roots_are_found_without_slopes() {
+        let mut count = 0;
+        let root = bracketed(
+            |x| {
+                count += 1;
+                x * x - 2.0
+            },
+            (0.0, -2.0),
+            (2.0, 2.0),
+            1.3,
+        );
+        assert!((root - core::f64::consts::SQRT_2).abs() < 1e-12 && count < 15, "{root} in {count}");
+        assert_eq!(bracketed(|x| x - 1.0, (0.0, -1.0), (1.0, 0.0), 0.5), 1.0);
+        assert_eq!(bracketed(|x| x, (0.0, 0.0), (1.0, 1.0), f64::NAN), 0.0);
+        let step = bracketed(|x| if x < 0.7 { -1e9 } else { 1e-9 }, (0.0, -1e9), (1.0, 1e-9), 7.0);
+        assert!((step - 0.7).abs() < 1e-12, "{step}");
+    }
 
     #[test]
     fn roots_are_found_to_the_last_bits() {

@@ -14,6 +14,7 @@ mod values;
 
 pub use definite::lowest_values;
 pub use inverse::vectors;
+pub use values::eigenvalues as symmetric_values;
 
 use alloc::vec::Vec;
 use nalgebra::DMatrix;

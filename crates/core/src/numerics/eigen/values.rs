@@ -13,7 +13,7 @@ use nalgebra::{DMatrix, DVector, SymmetricTridiagonal, Vector2, wilkinson_shift}
 
 /// All eigenvalues, in no order; only the lower triangle is used. `None` where an entry is infinite
 /// or not a number, or where the iteration does not end.
-pub(super) fn eigenvalues(matrix: DMatrix<f64>) -> Option<Vec<f64>> {
+pub fn eigenvalues(matrix: DMatrix<f64>) -> Option<Vec<f64>> {
     let steps = STEPS_PER_EIGENVALUE * matrix.nrows();
     eigenvalues_within(steps, matrix)
 }

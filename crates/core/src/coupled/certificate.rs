@@ -1,0 +1,171 @@
+//! Proof of how many negative directions the form B = α(K + F) + sC + κM has over *all* motions of the blade,
+//! not only over sums of the functions (docs/THEORY.md).
+//!
+//! A motion is parted into sums of the functions and a rest whose strains are orthogonal to the polynomials on
+//! every element. The rest is small at the displacements, so B on it is nearly αK; what couples the two is the
+//! moment of the functions' residuals that no polynomial of the element takes up. Both are local.
+
+use super::assembly::Assembly;
+use super::blade::CoupledSection;
+use super::element::{Element, PointFields, STATES, Square};
+use super::elimination::Factor;
+use super::equilibrium::{bending_parts, moments};
+use crate::lagrange::Energy;
+use crate::numerics::scalar::{hypot, maximum, sqrt};
+use crate::numerics::vector::{axpy, dot, scale};
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// The form is lowered by this share, so that rounding cannot win a claim.
+const ALLOWANCE: f64 = 1e-10;
+/// Allowance for the quadrature of what is divided by the stiffness.
+const SLACK: f64 = 1.001;
+/// A linear property is a little larger or smaller at the ends of an element than at its outermost points.
+const BEYOND_POINTS: f64 = 1.1;
+/// Share of a polynomial that is left beside the others when it is nothing new.
+const NOTHING_LEFT: f64 = 1e-12;
+/// Places of w″, v″ and φ′ among the fields.
+const STRAINS: [usize; 3] = [2, 5, 7];
+
+/// α, s and κ of a form α(K + F) + sC + κM.
+#[derive(Clone, Copy, Debug)]
+pub struct Form {
+    /// α > 0.
+    pub alpha: f64,
+    /// s = Ω².
+    pub s: f64,
+    /// κ.
+    pub kappa: f64,
+}
+
+/// An upper bound of the number of negative directions of the form; `None` where the elements are too coarse
+/// for a proof, or a pivot is too near 0.
+pub fn index(assembly: &Assembly, form: Form) -> Option<usize> {
+    let lowered =
+        Form { alpha: form.alpha * (1.0 - ALLOWANCE), kappa: form.kappa - ALLOWANCE * form.kappa.abs(), ..form };
+    let epsilon = assembly.elements.iter().map(|element| rest(element, lowered)).fold(0.0, maximum);
+    if epsilon.is_nan() || epsilon >= 1.0 {
+        return None;
+    }
+    let mut forms = assembly.forms(lowered.alpha, lowered.s, lowered.kappa);
+    for ((element, functions), form) in assembly.elements.iter().zip(&assembly.functions).zip(&mut forms) {
+        form.add(-SLACK / (1.0 - epsilon), &untaken(element, functions, lowered)?);
+    }
+    Some(Factor::new(&assembly.elements, forms, &assembly.roots, lowered.alpha, false)?.negative())
+}
+
+/// ε of an element: on the rest B ≥ −ε α K but for α K itself.
+fn rest(element: &Element, Form { alpha, s, kappa }: Form) -> f64 {
+    let half = element.half;
+    let bending = [element.orders[0], element.orders[1]].into_iter().filter(|order| *order > 0).min();
+    // What the displacement and the rotation of a strain without its first b polynomials are at most.
+    let (eta1, eta0) = match bending {
+        Some(1) => return f64::INFINITY,
+        Some(order) => {
+            let b = order as f64;
+            (half / sqrt(b * (b + 1.0)), half * half / (b * sqrt(b * b - 1.0)))
+        }
+        None => (0.0, 0.0),
+    };
+    let twist = element.orders[2] as f64;
+    let eta_t = if element.moves(2) { half / sqrt(twist * (twist + 1.0)) } else { 0.0 };
+    let largest = |value: fn(&CoupledSection) -> f64| element.sections.iter().map(value).fold(0.0, maximum);
+    let least = |value: fn(&CoupledSection) -> f64| element.sections.iter().map(value).fold(f64::INFINITY, f64::min);
+    let stiffness = alpha * least(|p| p.stiffness[0].min(p.stiffness[1]));
+    let torsional = alpha * least(|p| p.stiffness[2]);
+    let mass = largest(|p| p.mass);
+    let moment = largest(|p| p.moment().abs());
+    let arm = largest(|p| (p.moment() * p.r).abs());
+    let offset = largest(|p| (p.tension * p.tension_offset).abs());
+    let racket = largest(|p| p.racket().abs());
+    let rotary = largest(|p| p.rotary * p.inertia[0].max(p.inertia[1]));
+    let twisting = |p: &CoupledSection| {
+        -kappa * (p.inertia[0] + p.inertia[1])
+            - s * (p.propeller() * p.double_angle().1 + p.torque_offset * p.moment() * p.angle.1)
+    };
+    let twisting = element.sections.iter().map(twisting).fold(0.0, maximum);
+    let (sp, cp) = element.sections.first().map_or((0.0, 1.0), |p| p.precone);
+    let (sp, product) = (sp.abs(), (sp * cp).abs());
+    let p = eta0 * eta0 * (maximum(s - kappa, 0.0) + s * sp * sp) * mass
+        + 2.0 * s * product * moment * eta0 * eta1
+        + (maximum(-kappa, 0.0) + s * cp * cp) * rotary * eta1 * eta1;
+    let q = eta_t
+        * ((kappa * moment).abs() * eta0
+            + s * (arm * eta1 + moment * eta0 + offset + sp * sp * moment * eta0 + product * racket * eta1));
+    let z = eta_t * eta_t * (twisting + s * product * arm);
+    // The top eigenvalue of [[p/D, q/√(DJ)], [q/√(DJ), z/J]]; what does not move has no part in it.
+    let (p, q) = if bending.is_some() { (p / stiffness, q / sqrt(stiffness * torsional)) } else { (0.0, 0.0) };
+    let (q, z) = if element.moves(2) { (q, z / torsional) } else { (0.0, 0.0) };
+    BEYOND_POINTS * (0.5 * (p + z) + hypot(0.5 * (p - z), q))
+}
+
+/// E: the complementary energy of the residuals of the element's functions, less what the polynomials take up.
+pub(super) fn untaken(element: &Element, functions: &[PointFields], form: Form) -> Option<Square> {
+    let sum = [(Energy::Centrifugal, form.s), (Energy::Inertia, form.kappa)];
+    let points = element.points();
+    // The polynomials as moments of their own, orthonormal in the metric of the energy.
+    let mut taken: Vec<Vec<f64>> = Vec::with_capacity(element.strains());
+    for own in &functions[..element.strains()] {
+        let moments =
+            STRAINS.map(|strain| if own[strain].is_empty() { vec![0.0; points] } else { own[strain].clone() });
+        let mut row = scaled(element, &moments, form);
+        let before = sqrt(dot(&row, &row));
+        take_off(&mut row, &taken);
+        let length = sqrt(dot(&row, &row));
+        if length <= NOTHING_LEFT * before {
+            return None;
+        }
+        scale(&mut row, 1.0 / length);
+        taken.push(row);
+    }
+    let residual = |(own, mut loads): (&PointFields, PointFields)| {
+        for load in &mut loads {
+            load.resize(points, 0.0);
+        }
+        let mut moments = moments(element, &loads, &mut [0.0; STATES]);
+        let mut elastic = PointFields::default();
+        element.couplings(Energy::Elastic).load(form.alpha, own, &mut elastic);
+        for (moment, strain) in moments.iter_mut().zip(STRAINS) {
+            axpy(moment, 1.0, &elastic[strain]);
+        }
+        let mut row = scaled(element, &moments, form);
+        take_off(&mut row, &taken);
+        row
+    };
+    let left: Vec<Vec<f64>> = functions.iter().zip(element.loads(functions, &sum)).map(residual).collect();
+    let mut energy = Square::zero(element.count());
+    for (j, row) in left.iter().enumerate() {
+        for (i, other) in left.iter().enumerate().skip(j) {
+            let value = dot(other, row);
+            *energy.at_mut(i, j) = value;
+            *energy.at_mut(j, i) = value;
+        }
+    }
+    Some(energy)
+}
+
+/// Takes off what lies along orthonormal rows, twice for full digits.
+fn take_off(row: &mut [f64], taken: &[Vec<f64>]) {
+    for _ in 0..2 {
+        for known in taken {
+            let along = dot(known, row);
+            axpy(row, -along, known);
+        }
+    }
+}
+
+/// Moments as numbers whose squares sum to their energy in the inverse of the form's stiffness. Trapeze counts
+/// as stiffness.
+fn scaled(element: &Element, moments: &[Vec<f64>; 3], Form { alpha, s, .. }: Form) -> Vec<f64> {
+    let mut row = Vec::with_capacity(3 * element.points());
+    let moves = [element.moves(0), element.moves(1)];
+    for (k, (section, weight)) in element.sections.iter().zip(&element.weight).enumerate() {
+        let parts = bending_parts(section.angle, section.stiffness, moves, moments[0][k], moments[1][k]);
+        row.extend(parts.map(|part| sqrt(weight / alpha) * part));
+        if element.moves(2) {
+            let stiffness = alpha * section.stiffness[2] + s * section.trapeze_stiffness();
+            row.push(sqrt(weight / stiffness) * moments[2][k]);
+        }
+    }
+    row
+}

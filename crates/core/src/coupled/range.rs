@@ -1,0 +1,379 @@
+//! Functions for a whole range of rotor speeds: the span of the modes at some of them. Every matrix and every
+//! residual of these functions is affine in Ω², so each speed is a small dense problem.
+
+use super::assembly::{Assembly, Vector, add, product, scale};
+use super::blade::CoupledBlade;
+use super::bounds::{Missing, Proof, lower_bounds, prove_separation, prove_shift};
+use super::equilibrium::{Factors, ModeFields, energies, residual};
+use super::layout::{first_layout, raise};
+use super::{MOST_ROUNDS, ORDER_OF_PROOFS, SHARE, SHIFT, Solved, TOLERANCE, iterate, shares};
+use crate::numerics::eigen::{EigenError, lowest, symmetric_values};
+use crate::numerics::quadrature::GaussRules;
+use crate::numerics::scalar::{maximum, sqrt};
+use alloc::vec;
+use alloc::vec::Vec;
+use nalgebra::{Cholesky, DMatrix, DVector};
+
+/// Where the modes are found first, as shares of the highest Ω², and where they are added, one after the other,
+/// until the check between them holds.
+const ANCHORS: [f64; 3] = [0.5, 0.0, 1.0];
+const MORE_ANCHORS: [f64; 4] = [0.05, 0.25, 0.75, 0.01];
+/// Modes beyond those asked for, among which a separation is sought.
+const BEYOND: usize = 3;
+/// Where they are checked.
+const CHECKS: [f64; 5] = [0.02, 0.12, 0.35, 0.65, 0.88];
+/// Relative error of λ accepted at the checks.
+const ACCEPTED: f64 = 1e-10;
+/// A function of which so little is left beside the others, in energy, is nothing new.
+const NOTHING_NEW: f64 = 1e-6;
+/// A separation is proven anew where the last mode comes so near to it.
+const NEAR: f64 = 0.95;
+/// Relative rounding of energies that are sums over the points of a blade, generously.
+const ROUNDING: f64 = 1e-13;
+
+/// One mode of a coupled blade at one speed of a range.
+#[derive(Clone, Debug)]
+pub struct RangeMode {
+    /// λ = ω² [rad²/s²].
+    pub eigenvalue: f64,
+    /// dλ/dΩ².
+    pub slope: f64,
+    /// Estimate of the error of λ [rad²/s²].
+    pub error: f64,
+    /// Shares of flap, lag and torsion.
+    pub shares: [f64; 3],
+}
+
+/// The modes at one speed of a range.
+#[derive(Clone, Debug)]
+pub struct Bounded {
+    /// λ of the modes asked for and some more [rad²/s²], ascending.
+    pub eigenvalues: Vec<f64>,
+    /// Bounds of those asked for, or why there are none.
+    pub bounds: Result<Vec<(f64, f64)>, Missing>,
+}
+
+/// A separation that was proven at one Ω² and holds from there on, if lower.
+#[derive(Clone, Copy, Debug)]
+struct Separation {
+    below: usize,
+    rho: f64,
+    from: f64,
+}
+
+/// The modes at the first speeds, and how good the elements are for them.
+struct Anchors {
+    modes: Vec<Vector>,
+    sigma: f64,
+    worst: f64,
+    shares: Vec<f64>,
+}
+
+impl Anchors {
+    fn new(
+        blade: &CoupledBlade,
+        assembly: &Assembly,
+        eigenvalue: f64,
+        highest: f64,
+        count: usize,
+    ) -> Result<Self, EigenError> {
+        let sigma = SHIFT.0 * eigenvalue;
+        let mut all = Self { modes: Vec::new(), sigma, worst: 0.0, shares: vec![0.0; assembly.elements.len()] };
+        for share in ANCHORS {
+            // C enters in proportion: what is definite at both ends is definite between them.
+            let (found, sigma) = iterate(assembly, share * highest, count, all.sigma)?;
+            let solved = Solved::new(blade, assembly, &found, (share * highest, sigma), BEYOND)?;
+            all.sigma = sigma;
+            all.worst = maximum(all.worst, solved.worst);
+            all.shares.iter_mut().zip(&solved.shares).for_each(|(most, own)| *most = maximum(*most, *own));
+            all.modes.extend(found);
+        }
+        Ok(all)
+    }
+}
+
+/// A coupled blade over a range of rotor speeds.
+#[derive(Clone, Debug)]
+pub struct Range {
+    count: usize,
+    sigma: f64,
+    elastic: DMatrix<f64>,
+    centrifugal: DMatrix<f64>,
+    inertia: DMatrix<f64>,
+    /// K + F and C in coordinates in which M is the identity.
+    plain: Option<[DMatrix<f64>; 2]>,
+    kinetic: [DMatrix<f64>; 3],
+    /// Residual moments of every function, of its inertia, its centrifugal loads and its strains, turned so that
+    /// no more rows are left than columns: lengths stay what they are.
+    residuals: DMatrix<f64>,
+    /// For proofs.
+    coarse: Assembly,
+    fine: Assembly,
+    highest: f64,
+    shift: Option<(f64, f64)>,
+    functions: [usize; 3],
+    error: f64,
+}
+
+impl Range {
+    /// The `count` lowest modes, for 0 ≤ Ω² ≤ `highest`.
+    ///
+    /// # Errors
+    /// [`EigenError`].
+    pub fn new(blade: &CoupledBlade, highest: f64, count: usize, rules: &GaussRules) -> Result<Self, EigenError> {
+        let sought = count + BEYOND;
+        let mut layout = first_layout(blade, highest, sought);
+        let mut rounds = 1;
+        let (fine, mut modes, sigma) = loop {
+            let fine = Assembly::new(blade, &layout, rules);
+            let found = Anchors::new(blade, &fine, layout.highest, highest, sought)?;
+            let good = found.worst <= TOLERANCE || rounds == MOST_ROUNDS;
+            if good || !raise(&mut layout, &found.shares, TOLERANCE * SHARE) {
+                break (fine, found.modes, found.sigma);
+            }
+            rounds += 1;
+        };
+        let coarse = Assembly::new(blade, &layout.with_orders_up_to(ORDER_OF_PROOFS), rules);
+        let mut more = MORE_ANCHORS.iter();
+        loop {
+            let range = Self::of(blade, &fine, &coarse, highest, count, sigma, &modes)?;
+            match more.next() {
+                Some(share) if range.error > ACCEPTED => {
+                    modes.extend(iterate(&fine, share * highest, sought, sigma)?.0);
+                }
+                _ => return Ok(range),
+            }
+        }
+    }
+
+    fn of(
+        blade: &CoupledBlade,
+        fine: &Assembly,
+        coarse: &Assembly,
+        highest: f64,
+        count: usize,
+        sigma: f64,
+        modes: &[Vector],
+    ) -> Result<Self, EigenError> {
+        let functions = orthonormal(fine, 0.5 * highest, sigma, modes);
+        let fields = ModeFields::new(fine, &functions);
+        let energies = energies(fine, &fields);
+        let plain = Cholesky::new(energies.inertia.clone()).map(|factor| {
+            let l = factor.unpack();
+            [&energies.elastic, &energies.centrifugal].map(|matrix| congruent(&l, matrix))
+        });
+        let mut range = Self {
+            count,
+            plain,
+            sigma,
+            kinetic: shares::kinetic(fine, &fields),
+            residuals: residual_moments(blade, fine, &fields),
+            elastic: energies.elastic,
+            centrifugal: energies.centrifugal,
+            inertia: energies.inertia,
+            coarse: coarse.clone(),
+            fine: fine.clone(),
+            highest,
+            shift: None,
+            functions: fine.unknowns_by_motion(),
+            error: 0.0,
+        };
+        range.shift = prove_shift(coarse, highest, range.reach(highest)?)
+            .or_else(|| prove_shift(fine, highest, range.reach(highest).ok()?));
+        for share in CHECKS {
+            let found = range.modes(share * highest, count)?;
+            let floor = 1e-4 * found.last().map_or(0.0, |mode| mode.eigenvalue.abs());
+            let own = found.iter().map(|mode| mode.error / mode.eigenvalue.abs().max(floor)).fold(0.0, maximum);
+            range.error = maximum(range.error, own);
+        }
+        Ok(range)
+    }
+
+    /// About where separations stand.
+    fn reach(&self, s: f64) -> Result<f64, EigenError> {
+        Ok(self.eigenvalues(s)?.last().copied().unwrap_or(0.0))
+    }
+
+    /// Number of functions of flap, lag and torsion behind the modes.
+    pub fn functions(&self) -> [usize; 3] {
+        self.functions
+    }
+
+    /// The largest relative error of an eigenvalue where they were checked.
+    pub fn error(&self) -> f64 {
+        self.error
+    }
+
+    /// Whether the errors are as small as they should be.
+    pub fn is_converged(&self) -> bool {
+        self.error <= maximum(ACCEPTED, TOLERANCE)
+    }
+
+    fn stiffness(&self, s: f64) -> DMatrix<f64> {
+        &self.elastic + &self.centrifugal * s
+    }
+
+    /// The eigenvalues at Ω² = s alone, those asked for and some more, ascending: quick, and good to rounding of
+    /// the highest one among the functions.
+    ///
+    /// # Errors
+    /// [`EigenError`].
+    pub fn eigenvalues(&self, s: f64) -> Result<Vec<f64>, EigenError> {
+        let count = (self.count + BEYOND).min(self.inertia.nrows());
+        let plain = self.plain.as_ref().and_then(|[elastic, centrifugal]| symmetric_values(elastic + centrifugal * s));
+        let Some(mut values) = plain else { return Ok(self.solve(s, count)?.0) };
+        values.sort_by(f64::total_cmp);
+        values.truncate(count);
+        Ok(values)
+    }
+
+    /// λ and x of the lowest modes, of unit inertia.
+    fn solve(&self, s: f64, count: usize) -> Result<(Vec<f64>, DMatrix<f64>), EigenError> {
+        let g = self.stiffness(s);
+        let count = count.min(self.inertia.nrows());
+        let found = lowest(&(&g + &self.inertia * self.sigma), &self.inertia, count)?;
+        let quotient = |x: DVector<f64>| x.dot(&(&g * &x)) / x.dot(&(&self.inertia * &x));
+        let values = found.vectors.column_iter().map(|x| quotient(x.into_owned())).collect();
+        Ok((values, found.vectors))
+    }
+
+    /// The lowest modes at Ω² = s.
+    ///
+    /// # Errors
+    /// [`EigenError`].
+    pub fn modes(&self, s: f64, count: usize) -> Result<Vec<RangeMode>, EigenError> {
+        let (values, vectors) = self.solve(s, count)?;
+        let gaps = self.gaps(s, &values, &vectors);
+        let mode = |(index, eigenvalue): (usize, &f64)| {
+            let x = vectors.column(index).into_owned();
+            RangeMode {
+                eigenvalue: *eigenvalue,
+                slope: x.dot(&(&self.centrifugal * &x)),
+                error: gaps[(index, index)],
+                shares: shares::shares(&self.kinetic, &x),
+            }
+        };
+        Ok(values.iter().enumerate().map(mode).collect())
+    }
+
+    /// The energies of the residual moments of modes.
+    fn gaps(&self, s: f64, values: &[f64], vectors: &DMatrix<f64>) -> DMatrix<f64> {
+        let m = vectors.nrows();
+        let parts = DMatrix::from_fn(3 * m, values.len(), |i, j| {
+            let x = vectors[(i % m, j)];
+            match i / m {
+                0 => values[j] * x,
+                1 => s * x,
+                _ => x,
+            }
+        });
+        let rows = &self.residuals * parts;
+        rows.transpose() * rows
+    }
+
+    /// λ at ascending Ω², of the modes asked for and some more, and proven bounds of those asked for.
+    ///
+    /// # Errors
+    /// [`EigenError`].
+    pub fn bounded(&self, squares: &[f64]) -> Result<Vec<Bounded>, EigenError> {
+        let mut last: Option<Separation> = None;
+        let at = |s: &f64| {
+            let (eigenvalues, vectors) = self.solve(*s, self.count + BEYOND)?;
+            let bounds = self.bounds(*s, &eigenvalues, &vectors, &mut last);
+            Ok(Bounded { eigenvalues, bounds })
+        };
+        squares.iter().map(at).collect()
+    }
+
+    fn bounds(
+        &self,
+        s: f64,
+        values: &[f64],
+        vectors: &DMatrix<f64>,
+        last: &mut Option<Separation>,
+    ) -> Result<Vec<(f64, f64)>, Missing> {
+        let (theta, sigma) = self.shift.ok_or(Missing::Shift)?;
+        let carried = |known: &Separation| {
+            let d = (s - known.from) / self.highest;
+            known.rho * (1.0 - d * theta / (1.0 - theta)) - d * sigma / (1.0 - theta)
+        };
+        let usable = |known: &Separation| {
+            known.below >= self.count
+                && known.below <= values.len()
+                && values[known.below - 1] + sigma < NEAR * (carried(known) + sigma)
+        };
+        let known = if let Some(known) = last.filter(usable) {
+            known
+        } else {
+            let (below, rho) = prove_separation(&self.coarse, values, self.count, s)
+                .or_else(|| prove_separation(&self.fine, values, self.count, s))
+                .ok_or(Missing::Separation)?;
+            Separation { below, rho, from: s }
+        };
+        *last = Some(known);
+        let proof = Proof { below: known.below, rho: carried(&known), theta, sigma };
+        let n = known.below;
+        let gaps = self.gaps(s, &values[..n], &vectors.columns(0, n).into_owned());
+        let lower = lower_bounds(&values[..n], &gaps, &proof).ok_or(Missing::Shift)?;
+        let rounding = |i: usize| {
+            // The functions have unit energy in the middle of the range: a mode has about as much there.
+            let size = 4.0 * vectors.column(i).norm_squared();
+            ROUNDING * (size + values[i].abs() + sigma)
+        };
+        let pair = |i: usize| (lower[i].min(values[i]) - rounding(i), values[i] + rounding(i));
+        Ok((0..self.count.min(n)).map(pair).collect())
+    }
+}
+
+/// L⁻¹ A L⁻ᵀ.
+fn congruent(l: &DMatrix<f64>, a: &DMatrix<f64>) -> DMatrix<f64> {
+    let half = l.solve_lower_triangular(a).unwrap_or_else(|| a.clone());
+    let whole = l.solve_lower_triangular(&half.transpose()).unwrap_or(half);
+    0.5 * (&whole + whole.transpose())
+}
+
+/// The span of modes as functions that are orthonormal in the energy in the middle of the range.
+fn orthonormal(assembly: &Assembly, s: f64, sigma: f64, modes: &[Vector]) -> Vec<Vector> {
+    let forms = assembly.forms(1.0, s, sigma);
+    let mut out: Vec<Vector> = Vec::new();
+    let mut loads: Vec<Vector> = Vec::new();
+    for mode in modes {
+        let mut function = mode.clone();
+        let own = assembly.form_times(&forms, 1.0, &function);
+        let before = sqrt(product(&function, &own).max(0.0));
+        for _ in 0..2 {
+            for (known, loads) in out.iter().zip(&loads) {
+                let along = product(&function, loads);
+                add(&mut function, -along, known);
+            }
+        }
+        let mut own = assembly.form_times(&forms, 1.0, &function);
+        let length = sqrt(product(&function, &own).max(0.0));
+        if length > NOTHING_NEW * before {
+            scale(&mut function, 1.0 / length);
+            scale(&mut own, 1.0 / length);
+            out.push(function);
+            loads.push(own);
+        }
+    }
+    out
+}
+
+/// Columns: the residual moments of the inertia of every function, then of its centrifugal loads, then of its
+/// strains.
+fn residual_moments(blade: &CoupledBlade, assembly: &Assembly, fields: &ModeFields) -> DMatrix<f64> {
+    let parts = [
+        Factors { inertia: 1.0, ..Factors::default() },
+        Factors { centrifugal: 1.0, ..Factors::default() },
+        Factors { elastic: 1.0, ..Factors::default() },
+    ];
+    let columns: Vec<Vec<f64>> = parts
+        .into_iter()
+        .flat_map(|factors| {
+            (0..fields.count()).map(move |mode| residual(blade, assembly, fields, mode, factors).concat())
+        })
+        .collect();
+    let rows = columns.first().map_or(0, Vec::len);
+    let all = DMatrix::from_fn(rows, columns.len(), |i, j| columns[j][i]);
+    if all.nrows() > all.ncols() { all.qr().unpack_r() } else { all }
+}
