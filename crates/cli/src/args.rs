@@ -172,7 +172,33 @@ pub(crate) struct ModesArgs {
     #[command(flatten)]
     family: FamilyArgs,
     #[command(flatten)]
+    model: ModelArgs,
+    #[command(flatten)]
     pub(crate) result: ResultArgs,
+}
+
+/// What is solved.
+#[derive(Debug, Args)]
+struct ModelArgs {
+    /// uncoupled: flap, lag and torsion each on its own; coupled: with twist, pitch, precone and offsets, 12 modes
+    /// of the whole blade [default: uncoupled]
+    #[arg(long, value_name = "MODEL")]
+    model: Option<String>,
+    /// Collective pitch of the coupled model, like 8deg, nose up [default: the blade's]
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    pitch: Option<String>,
+    /// Precone of the coupled model, tip up [default: the blade's]
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    precone: Option<String>,
+    /// Stiffening of torsion by tension in the coupled model, on or off [default: where the blade has data for it]
+    #[arg(long, value_name = "ON|OFF")]
+    trapeze: Option<String>,
+    /// Rotary inertia in bending in the coupled model, on or off [default: on]
+    #[arg(long, value_name = "ON|OFF")]
+    rotary: Option<String>,
+    /// Propeller moment of the coupled model, full or paper [default: full]
+    #[arg(long, value_name = "FULL|PAPER")]
+    propeller_moment: Option<String>,
 }
 
 #[derive(Debug, Args)]
@@ -199,6 +225,8 @@ pub(crate) struct FanArgs {
     #[command(flatten)]
     family: FamilyArgs,
     #[command(flatten)]
+    model: ModelArgs,
+    #[command(flatten)]
     pub(crate) result: ResultArgs,
     #[command(flatten)]
     pub(crate) drawing: DrawingArgs,
@@ -222,6 +250,8 @@ pub(crate) struct ShapesArgs {
     solver: SolverArgs,
     #[command(flatten)]
     family: FamilyArgs,
+    #[command(flatten)]
+    model: ModelArgs,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     #[command(flatten)]

@@ -54,6 +54,7 @@ mod blade;
 #[cfg(feature = "chart")]
 pub mod chart;
 mod converged;
+mod coupled;
 mod dof;
 mod fan;
 mod fault;
@@ -74,12 +75,13 @@ pub mod report;
 pub mod units;
 
 pub use analysis::{
-    MODEL, Model, PAPER_FUNCTIONS, Settings, ShapeScale, SpeedRange, at_speed, compare, converge, fan, margins, modes,
-    shapes, summary, warnings,
+    MODEL, Model, ModelKind, PAPER_FUNCTIONS, Settings, ShapeScale, SpeedRange, at_speed, compare, converge,
+    coupled_modes, coupled_shapes, fan, margins, modes, shapes, summary, warnings,
 };
 pub use blade::{
-    Amount, Blade, BladeDefinition, Change, Changed, DistributionDefinition, Part, Property, PropertyDefinition, Root,
-    RootCondition, RootDefinition, RootKind, RotorDefinition, Source, What, change, check, convert,
+    Amount, Blade, BladeDefinition, Change, Changed, DistributionDefinition, Part, PointMass, PointMassDefinition,
+    Property, PropertyDefinition, Root, RootCondition, RootDefinition, RootKind, RotorDefinition, Source, SpringAngle,
+    What, change, check, convert,
 };
 pub use dof::Dof;
 pub use fault::{Fault, FaultCode, Faults, Warning};

@@ -1,12 +1,12 @@
 //! Options as settings. Values stay text up to here: the core reads and checks them
 //! (`Settings::set`), so that the page and the command line have the same rules and messages.
 
-use super::{ConvergeArgs, FamilyArgs, FanArgs, Format, ModesArgs, ShapesArgs, SolverArgs};
+use super::{ConvergeArgs, FamilyArgs, FanArgs, Format, ModelArgs, ModesArgs, ShapesArgs, SolverArgs};
 use crate::failure::Failure;
 use bladefan_core::BasisFamily;
-use bladefan_core::Settings;
 use bladefan_core::chart::parse_frequencies;
 use bladefan_core::{Faults, Warning};
+use bladefan_core::{ModelKind, Settings};
 
 /// Options by the names that the core knows them by.
 type Given<'a> = Vec<(&'static str, &'a Option<String>)>;
@@ -57,12 +57,43 @@ impl FamilyArgs {
     }
 }
 
+impl ModelArgs {
+    fn given(&self) -> Given<'_> {
+        let mut given = self.coupled_only().to_vec();
+        given.push(("model", &self.model));
+        given
+    }
+
+    fn coupled_only(&self) -> [(&'static str, &Option<String>); 5] {
+        [
+            ("pitch", &self.pitch),
+            ("precone", &self.precone),
+            ("trapeze", &self.trapeze),
+            ("rotary", &self.rotary),
+            ("propeller_moment", &self.propeller_moment),
+        ]
+    }
+
+    /// The options given that the model has no use for.
+    fn idle(&self, settings: &Settings) -> Vec<Warning> {
+        let given = self.coupled_only().into_iter().filter(|(_, text)| text.is_some());
+        let idle = given.filter(|_| settings.model != ModelKind::Coupled);
+        idle.map(|(name, _)| does_nothing(&name.replace('_', "-"), "acts with --model coupled only")).collect()
+    }
+}
+
 impl ModesArgs {
     pub(crate) fn settings(&self) -> Result<Settings, Failure> {
         let mut given = vec![("speed", &self.speed.speed)];
         given.extend(self.solver.given());
         given.extend(self.family.given());
+        given.extend(self.model.given());
         read(given)
+    }
+
+    /// The options given that nothing of the result shows.
+    pub(crate) fn idle(&self, settings: &Settings) -> Vec<Warning> {
+        self.model.idle(settings)
     }
 }
 
@@ -72,6 +103,7 @@ impl FanArgs {
         let mut given = vec![("speeds", &self.speeds), ("harmonics", &self.harmonics), ("band", &self.band)];
         given.extend(self.solver.given());
         given.extend(self.family.given());
+        given.extend(self.model.given());
         let window = self.frequencies.as_deref().map(parse_frequencies).transpose();
         match (read(given), window) {
             (Ok(settings), Ok(window)) => Ok((settings, window)),
@@ -89,7 +121,7 @@ impl FanArgs {
             (no_band && self.band.is_some(), "band", "is in the table and drawings only"),
         ];
         let shown = cases.into_iter().filter(|(idle, ..)| *idle).map(|(_, option, why)| does_nothing(option, why));
-        self.family.idle(settings).into_iter().chain(shown).collect()
+        self.family.idle(settings).into_iter().chain(self.model.idle(settings)).chain(shown).collect()
     }
 }
 
@@ -98,12 +130,13 @@ impl ShapesArgs {
         let mut given = vec![("speed", &self.speed.speed), ("points", &self.points), ("normalise", &self.normalise)];
         given.extend(self.solver.given());
         given.extend(self.family.given());
+        given.extend(self.model.given());
         read(given)
     }
 
     /// The options given that nothing of the result shows.
     pub(crate) fn idle(&self, settings: &Settings) -> Vec<Warning> {
-        self.family.idle(settings).into_iter().collect()
+        self.family.idle(settings).into_iter().chain(self.model.idle(settings)).collect()
     }
 }
 

@@ -6,16 +6,17 @@ use crate::io::messages::warn;
 use crate::io::output::{self, Output};
 use crate::io::{input, measured};
 use crate::render::columns::{MARGIN_COLUMNS, MODE_COLUMNS, margin_cells, pick};
-use crate::render::heading::{basis, heading, speed};
+use crate::render::heading::{basis, heading_of, speed};
 use crate::render::table::{Align, Cell, Table};
 use crate::render::text::wrap;
 use crate::render::{csv, json, picture};
 use bladefan_core::Dof;
 use bladefan_core::Label;
+use bladefan_core::MODEL;
 use bladefan_core::Settings;
 use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::figures::{short, significant};
-use bladefan_core::report::{Coincidence, ComparedPoint, FanChart};
+use bladefan_core::report::{Coincidence, ComparedPoint, FanChart, ModelReport};
 use bladefan_core::units::{hz, rpm};
 use core::fmt::Write as _;
 use serde::Serialize;
@@ -67,7 +68,8 @@ fn table(chart: &FanChart, settings: &Settings, compared: Option<&[ComparedPoint
     let from = chart.speeds_rad_s.first().copied().unwrap_or_default();
     let to = chart.speeds_rad_s.last().copied().unwrap_or_default();
     let title = format!("{} speeds from {} to {}", chart.speeds_rad_s.len(), short(from, 4), speed(to));
-    let mut text = heading(&chart.blade, &title, &basis(&chart.basis), width);
+    let model = chart.model.as_ref().map_or_else(|| String::from(MODEL), ModelReport::words);
+    let mut text = heading_of(&chart.blade, &title, &basis(&chart.basis), &model, width);
     let mut section = |title: &str, table: &Table| {
         if !table.is_empty() {
             let _ = writeln!(text, "{}\n{}", wrap(title, 0, width), table.render(width));
@@ -81,6 +83,7 @@ fn table(chart: &FanChart, settings: &Settings, compared: Option<&[ComparedPoint
         &all(chart, settings),
     );
     section(&format!("Crossings within {band}"), &near(chart, settings));
+    section("Branches that come near one another", &veerings(chart));
     if let Some(compared) = compared {
         section("Measured points, and the solver at their rotor speeds", &points(chart, compared));
     }
@@ -176,6 +179,29 @@ fn near(chart: &FanChart, settings: &Settings) -> Table {
             Cell::fixed(at.speed_rad_s / chart.nominal.speed_rad_s, 3),
             Cell::number(at.frequency_rad_s, 5),
             Cell::number(hz(at.frequency_rad_s), 5),
+        ]);
+    }
+    table
+}
+
+/// Where branches of a coupled blade cross or turn away from one another.
+fn veerings(chart: &FanChart) -> Table {
+    let mut table = Table::new([
+        ("modes", Align::Left),
+        ("", Align::Left),
+        ("rotor speed\n[rpm]", Align::Point),
+        ("frequency\n[rad/s]", Align::Point),
+        ("gap\n[rad/s]", Align::Point),
+    ]);
+    for veering in &chart.veerings {
+        let names =
+            veering.branches.map(|index| chart.branches.get(index).map_or_else(String::new, |b| b.label.to_string()));
+        table.row([
+            Cell::text(names.join(", ")),
+            Cell::text(veering.kind),
+            Cell::number(rpm(veering.speed_rad_s), 4),
+            Cell::number(veering.frequency_rad_s, 5),
+            Cell::number(veering.gap_rad_s, 3),
         ]);
     }
     table

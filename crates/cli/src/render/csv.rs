@@ -9,7 +9,10 @@ use super::accuracy::percent;
 use super::text::visible;
 use crate::failure::Failure;
 use bladefan_core::BasisFamily;
-use bladefan_core::report::{BladeSummary, ConvergeReport, ConvergeSeries, FanChart, ModesReport, ShapesReport};
+use bladefan_core::report::{
+    BladeSummary, ConvergeReport, ConvergeSeries, CoupledModesReport, CoupledShapesReport, FanChart, ModesReport,
+    ShapesReport,
+};
 use core::fmt::Display;
 use csv::{QuoteStyle, WriterBuilder};
 
@@ -112,6 +115,61 @@ pub(crate) fn modes(report: &ModesReport) -> Result<String, Failure> {
     )
 }
 
+/// One row per mode of a coupled blade.
+pub(crate) fn coupled_modes(report: &CoupledModesReport) -> Result<String, Failure> {
+    let header = names(&[
+        "blade",
+        "rotor speed [rad/s]",
+        "mode",
+        "leading motion",
+        "number",
+        "flap share",
+        "lag share",
+        "torsion share",
+        "frequency [rad/s]",
+        "frequency [Hz]",
+        "frequency [/rev]",
+        "eigenvalue [1/s2]",
+        "lower bound [rad/s]",
+        "upper bound [rad/s]",
+        "lower eigenvalue [1/s2]",
+        "upper eigenvalue [1/s2]",
+        "bounds missing",
+        "error estimate [rad/s]",
+        "separation [rad/s]",
+        "nearest harmonic",
+        "margin [/rev]",
+    ]);
+    write(
+        header,
+        report.modes.iter().map(|mode| {
+            [
+                words(&report.blade),
+                number(report.speed_rad_s),
+                mode.label.to_string(),
+                words(mode.dof.name()),
+                mode.number.to_string(),
+                number(mode.shares.flap),
+                number(mode.shares.lag),
+                number(mode.shares.torsion),
+                maybe(mode.frequency_rad_s),
+                maybe(mode.frequency_hz),
+                maybe(mode.per_rev),
+                number(mode.eigenvalue_s2),
+                maybe(mode.lower_rad_s),
+                maybe(mode.upper_rad_s),
+                maybe(mode.lower_eigenvalue_s2),
+                maybe(mode.upper_eigenvalue_s2),
+                words(mode.bounds_missing.unwrap_or_default()),
+                maybe(mode.error_estimate_rad_s),
+                maybe(mode.separation_rad_s),
+                mode.nearest_harmonic.map(|harmonic| harmonic.to_string()).unwrap_or_default(),
+                maybe(mode.margin_per_rev),
+            ]
+        }),
+    )
+}
+
 /// One row per rotor speed, one column per branch.
 pub(crate) fn fan(chart: &FanChart) -> Result<String, Failure> {
     let mut header = names(&["rotor speed [rad/s]"]);
@@ -121,6 +179,39 @@ pub(crate) fn fan(chart: &FanChart) -> Result<String, Failure> {
         chart.speeds_rad_s.iter().enumerate().map(|(index, speed)| {
             let values = chart.branches.iter().map(move |branch| maybe(branch.frequency_rad_s.get(index).copied()));
             core::iter::once(number(*speed)).chain(values)
+        }),
+    )
+}
+
+/// One row per radius, ten columns per mode.
+pub(crate) fn coupled_shapes(report: &CoupledShapesReport) -> Result<String, Failure> {
+    let mut header = names(&["r [m]"]);
+    let columns = [
+        "flap",
+        "flap slope [1/m]",
+        "flap moment [N·m]",
+        "flap force [N]",
+        "lag",
+        "lag slope [1/m]",
+        "lag moment [N·m]",
+        "lag force [N]",
+        "torsion [rad]",
+        "torsion moment [N·m]",
+    ];
+    for shape in &report.shapes {
+        header.extend(columns.map(|name| words(format!("{} {name}", shape.label))));
+    }
+    write(
+        header,
+        report.r_m.iter().enumerate().map(|(index, radius)| {
+            let values = report.shapes.iter().flat_map(move |shape| {
+                let (flap, lag, torsion) = (&shape.components.flap, &shape.components.lag, &shape.components.torsion);
+                let bending = [flap, lag].map(|bent| [&bent.displacement, &bent.slope, &bent.moment, &bent.force]);
+                let twisted = [&torsion.twist, &torsion.moment];
+                let lists = bending.into_iter().flatten().chain(twisted);
+                lists.map(|list| maybe(list.get(index).copied())).collect::<Vec<_>>()
+            });
+            core::iter::once(number(*radius)).chain(values)
         }),
     )
 }

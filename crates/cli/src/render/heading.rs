@@ -8,10 +8,15 @@ use bladefan_core::report::BasisReport;
 use bladefan_core::units;
 use unicode_width::UnicodeWidthStr;
 
-/// The lines above every table of the solver, an empty one last.
+/// The lines above every table of the uncoupled model, an empty one last.
 pub(crate) fn heading(blade: &str, what: &str, basis: &str, width: usize) -> String {
-    let together = format!("{basis}; {MODEL}");
-    let model = if together.width() <= width { vec![together] } else { vec![String::from(basis), String::from(MODEL)] };
+    heading_of(blade, what, basis, MODEL, width)
+}
+
+/// The lines above a table of a model, an empty one last.
+pub(crate) fn heading_of(blade: &str, what: &str, basis: &str, model: &str, width: usize) -> String {
+    let together = format!("{basis}; {model}");
+    let model = if together.width() <= width { vec![together] } else { vec![String::from(basis), String::from(model)] };
     let lines = core::iter::once(format!("{blade}, {what}")).chain(model);
     let lines: String = lines.map(|line| wrap(&line, 0, width) + "\n").collect();
     lines + "\n"

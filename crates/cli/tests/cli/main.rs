@@ -74,7 +74,7 @@ impl Run {
     }
 }
 
-const BUILT_IN: [&str; 5] = ["tm4760", "sa330", "bo105", "hingeless-1000", "uniform"];
+const BUILT_IN: [&str; 7] = ["tm4760", "sa330", "uh60a", "bo105", "hingeless-1000", "uniform", "twisted"];
 
 /// The file of a built-in blade.
 fn toml(name: &str) -> &'static str {

@@ -1,7 +1,8 @@
 //! Measured points beside the solver's answer at the same rotor speed.
 
+use super::coupled_fan::coupled_at;
 use super::fitted::fitted;
-use super::{Settings, frequency};
+use super::{ModelKind, Settings, frequency};
 use crate::blade::Blade;
 use crate::fault::Faults;
 use crate::label::Label;
@@ -23,9 +24,13 @@ pub fn compare(blade: &Blade, points: &[MeasuredPoint], settings: &Settings) -> 
     }
     let rules = GaussRules::new();
     let mut computed = vec![None; points.len()];
-    for dof in settings.ordered_dofs() {
+    if settings.model == ModelKind::Coupled {
+        let asked: Vec<(Label, f64)> = points.iter().map(|point| (point.label, point.speed_rad_s)).collect();
+        computed = coupled_at(blade, &asked, settings)?;
+    }
+    for dof in settings.ordered_dofs().filter(|_| settings.model == ModelKind::Uncoupled) {
         let branch = |point: &MeasuredPoint| {
-            let Label { dof: own, number } = point.label;
+            let Label { dof: own, number, .. } = point.label;
             (own == dof && number <= settings.modes).then(|| number.checked_sub(1))?
         };
         let own: Vec<(usize, usize)> =

@@ -28,6 +28,7 @@ const ONE_MORE: f64 = 1.5;
 /// Faults in the settings, or equations without an answer.
 pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Faults> {
     settings.check_converge()?;
+    settings.uncoupled()?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
     let mut report = ConvergeReport {

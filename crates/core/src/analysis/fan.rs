@@ -1,8 +1,9 @@
 //! Fan charts: frequencies over a range of rotor speeds.
 
 use super::basis::solve;
+use super::coupled_fan::coupled_fan;
 use super::fitted::{Fitted, fitted};
-use super::{Settings, frequency, margin, note, note_crossings, note_fewer, warnings};
+use super::{ModelKind, Settings, frequency, margin, note, note_crossings, note_fewer, warnings};
 use crate::blade::Blade;
 use crate::fan::meet_rays;
 use crate::fault::Faults;
@@ -19,6 +20,9 @@ use alloc::vec::Vec;
 /// Faults in the settings, or equations without an answer.
 pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
     settings.check()?;
+    if settings.model == ModelKind::Coupled {
+        return coupled_fan(blade, settings);
+    }
     let rules = GaussRules::new();
     let nominal = blade.nominal_speed();
     let range = settings.speeds_or(nominal);
@@ -35,6 +39,8 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
         coincident: Vec::new(),
         nominal: Nominal { speed_rad_s: nominal, margins: Vec::new() },
         warnings: warnings(blade),
+        model: None,
+        veerings: Vec::new(),
     };
     for dof in settings.ordered_dofs() {
         // From rest, where the Southwell coefficients are taken, past nominal speed.
@@ -50,6 +56,9 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
             number: index + 1,
             frequency_rad_s: Vec::with_capacity(range.count),
             southwell: Southwell { k0: mode.eigenvalue, k1: mode.southwell },
+            labels: Vec::new(),
+            lower_rad_s: Vec::new(),
+            upper_rad_s: Vec::new(),
         }));
         let first = chart.branches.len() - at_rest.len();
         for speed in &chart.speeds_rad_s {

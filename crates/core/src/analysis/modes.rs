@@ -22,6 +22,7 @@ use alloc::vec::Vec;
 /// Faults in the settings, or equations without an answer.
 pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Faults> {
     settings.check()?;
+    settings.uncoupled()?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
     let square = speed * speed;

@@ -4,7 +4,7 @@ use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode, Faults};
 use crate::figures::Shortest;
 use crate::functions::BasisFamily;
-use crate::units::parse_speed;
+use crate::units::{parse_angle, parse_speed};
 use alloc::format;
 use alloc::string::ToString;
 use alloc::vec::Vec;
@@ -50,6 +50,9 @@ const LEAST_SPEED: f64 = 1e-9;
 const MOST_SPEED: f64 = 1e9;
 /// Most modes per degree of freedom.
 const MOST_MODES: usize = 50;
+/// Largest pitch and precone [rad]; those of a blade file.
+const MOST_PITCH: f64 = 1e6;
+const MOST_CONE: f64 = 1.5;
 /// Most assumed functions of the classical family.
 const MOST_FUNCTIONS: usize = 200;
 /// Most radii a shape may be sampled at.
@@ -82,6 +85,30 @@ pub struct Settings {
     pub up_to: usize,
     /// Operating band as ratios of nominal speed; crossings inside are marked.
     pub band: (f64, f64),
+    /// What is solved.
+    pub model: ModelKind,
+    /// Modes of a coupled blade, all motions together.
+    pub coupled_modes: usize,
+    /// Collective pitch [rad] in place of the blade's own; coupled.
+    pub pitch: Option<f64>,
+    /// Precone [rad] in place of the blade's own; coupled.
+    pub precone: Option<f64>,
+    /// Whether the tension of the fibres stiffens torsion; `None`: where the blade has data for it. Coupled.
+    pub trapeze: Option<bool>,
+    /// Whether sections have rotary inertia in bending; coupled.
+    pub rotary: bool,
+    /// Whether the propeller moment is the paper's, m Y², in place of I₂ − I₁; coupled.
+    pub paper_moment: bool,
+}
+
+/// Whether flap, lag and torsion feel one another.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ModelKind {
+    /// Each on its own, as in the paper.
+    #[default]
+    Uncoupled,
+    /// With twist, pitch, precone and offsets.
+    Coupled,
 }
 
 impl Default for Settings {
@@ -98,6 +125,13 @@ impl Default for Settings {
             normalise: ShapeScale::Max,
             up_to: 16,
             band: (0.9, 1.1),
+            model: ModelKind::default(),
+            coupled_modes: 12,
+            pitch: None,
+            precone: None,
+            trapeze: None,
+            rotary: true,
+            paper_moment: false,
         }
     }
 }
@@ -137,6 +171,34 @@ impl Settings {
                 "mass" => self.normalise = ShapeScale::Mass,
                 _ => return refuse("must be max or mass"),
             },
+            "model" => match text {
+                "uncoupled" => self.model = ModelKind::Uncoupled,
+                "coupled" => self.model = ModelKind::Coupled,
+                _ => return refuse("must be uncoupled or coupled"),
+            },
+            "pitch" | "precone" => {
+                let Some(angle) = parse_angle(text) else { return refuse("must be an angle like 8deg or 0.14rad") };
+                match name {
+                    "pitch" => self.pitch = Some(angle),
+                    _ => self.precone = Some(angle),
+                }
+            }
+            "trapeze" | "rotary" => {
+                let on = match text {
+                    "on" => true,
+                    "off" => false,
+                    _ => return refuse("must be on or off"),
+                };
+                match name {
+                    "trapeze" => self.trapeze = Some(on),
+                    _ => self.rotary = on,
+                }
+            }
+            "propeller_moment" => match text {
+                "full" => self.paper_moment = false,
+                "paper" => self.paper_moment = true,
+                _ => return refuse("must be full or paper"),
+            },
             "band" => match parse_band(text) {
                 Some(band) => self.band = band,
                 None => return refuse("must be FROM:TO as ratios of nominal speed like 0.9:1.1"),
@@ -148,7 +210,7 @@ impl Settings {
             "modes" | "functions" | "points" | "up_to" => {
                 let Ok(count) = text.parse() else { return refuse("must be a whole number") };
                 match name {
-                    "modes" => self.modes = count,
+                    "modes" => (self.modes, self.coupled_modes) = (count, count),
                     "functions" => self.functions = count,
                     "points" => self.points = count,
                     _ => self.up_to = count,
@@ -176,6 +238,14 @@ impl Settings {
         self.faults(false).none()
     }
 
+    /// Refuses the coupled model where a question is of the uncoupled one.
+    pub(super) fn uncoupled(&self) -> Result<(), Faults> {
+        match self.model {
+            ModelKind::Uncoupled => Ok(()),
+            ModelKind::Coupled => Err(option_fault("model", "coupled", "has a question of its own").into()),
+        }
+    }
+
     fn faults(&self, functions_act: bool) -> Faults {
         let mut faults = Vec::new();
         let mut require = |holds: bool, name: &str, value: &dyn core::fmt::Display, rule: &str| {
@@ -186,6 +256,20 @@ impl Settings {
         if let Some(speed) = self.speed {
             let broken = speed_rule(speed);
             require(broken.is_none(), "speed", &Shortest(speed), broken.unwrap_or_default());
+        }
+        let coupled = self.model == ModelKind::Coupled;
+        let classical = self.basis == BasisFamily::Classical;
+        require(!coupled || !classical, "basis", &"classical", "belongs to the uncoupled model");
+        if let Some(pitch) = self.pitch {
+            require(pitch.abs() <= MOST_PITCH, "pitch", &Shortest(pitch), "must be between -1e6 and 1e6 rad");
+        }
+        if let Some(precone) = self.precone {
+            require(precone.abs() <= MOST_CONE, "precone", &Shortest(precone), "must be between -1.5 and 1.5 rad");
+        }
+        // One option sets both; its rule stands below.
+        if self.coupled_modes != self.modes {
+            let held = (1..=MOST_MODES).contains(&self.coupled_modes);
+            require(held, "modes", &self.coupled_modes, "must be from 1 to 50");
         }
         if let Some(range) = self.speeds {
             let text = format!("{}:{}:{}", Shortest(range.from), Shortest(range.to), range.count);

@@ -14,18 +14,24 @@ use crate::report::{BasisReport, FunctionCounts, ShapeReport, ShapesReport};
 use alloc::string::ToString;
 use alloc::vec::Vec;
 
+/// Where shapes are sampled [m]: evenly from the innermost root to the tip.
+pub(super) fn radii(blade: &Blade, settings: &Settings) -> Vec<f64> {
+    let (inner, radius) = (blade.least_offset(), blade.radius());
+    let last = settings.points - 1;
+    let at = |i: usize| if i == last { radius } else { inner + (radius - inner) * (i as f64 / last as f64) };
+    (0..settings.points).map(at).collect()
+}
+
 /// Mode shapes along the span at one speed.
 ///
 /// # Errors
 /// Faults in the settings, or equations without an answer.
 pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Faults> {
     settings.check()?;
+    settings.uncoupled()?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
-    let (inner, radius) = (blade.least_offset(), blade.radius());
-    let last = settings.points - 1;
-    let at = |i: usize| if i == last { radius } else { inner + (radius - inner) * (i as f64 / last as f64) };
-    let radii: Vec<f64> = (0..settings.points).map(at).collect();
+    let (radius, radii) = (blade.radius(), radii(blade, settings));
     let mut report = ShapesReport {
         schema: "bladefan-shapes/1",
         blade: blade.name().to_string(),

@@ -66,6 +66,8 @@ pub(super) enum Sign {
     Family(BasisFamily),
     BladeRay,
     Crossing,
+    /// A short upright bar.
+    Veering,
     Band,
     Measured(Marker),
 }
@@ -93,7 +95,7 @@ impl Entry {
                 Sign::Branch(_) | Sign::Family(_) => 34.0,
                 Sign::BladeRay => 22.0,
                 Sign::Band | Sign::Colour(_) => 14.0,
-                Sign::Crossing | Sign::Measured(_) => 11.0,
+                Sign::Crossing | Sign::Veering | Sign::Measured(_) => 11.0,
             }
     }
 
@@ -185,6 +187,10 @@ fn draw_entry(sheet: &mut Sheet, style: &Style, (x, y): Point, entry: &Entry) {
         }
         Sign::BladeRay => pen.line(&[(x, y), (x + length, y)], palette.blade_ray, 1.2 * style.unit),
         Sign::Crossing => pen.circle(middle, 4.2 * style.unit, palette.text, 1.3 * style.unit),
+        Sign::Veering => {
+            let half = 5.0 * style.unit;
+            pen.line(&[(middle.0, y - half), (middle.0, y + half)], palette.text, 1.6 * style.unit);
+        }
         Sign::Band => {
             let half = 6.0 * style.unit;
             pen.rectangle((x, y - half), (x + length, y + half), palette.band);
@@ -207,9 +213,20 @@ pub(super) struct Foot {
 impl Foot {
     /// `parts` and what every drawing says: the model and the program's version; then `remarks`
     /// on lines of their own.
-    pub(super) fn new(style: &Style, mut parts: Vec<String>, remarks: &[String], left: f64) -> Self {
+    pub(super) fn new(style: &Style, parts: Vec<String>, remarks: &[String], left: f64) -> Self {
+        Self::with_model(style, parts, MODEL, remarks, left)
+    }
+
+    /// The same for a model of its own.
+    pub(super) fn with_model(
+        style: &Style,
+        mut parts: Vec<String>,
+        model: &str,
+        remarks: &[String],
+        left: f64,
+    ) -> Self {
         let room = style.width - style.margin() - left;
-        parts.push(MODEL.to_string());
+        parts.push(model.to_string());
         parts.push(format!("bladefan {VERSION}"));
         let mut lines = text::flow(&parts, room, style.small());
         lines.extend(text::flow(remarks, room, style.small()));
@@ -267,7 +284,8 @@ pub(super) fn list_labels(branches: &[Label]) -> String {
         let following = |step: usize| Label::new(first.dof, first.number + step);
         let run = branches[at..].iter().enumerate().take_while(|(step, next)| **next == following(*step)).count();
         texts.push(match run {
-            1 => first.to_string(),
+            // A mixed mode is followed by none.
+            0 | 1 => first.to_string(),
             _ => format!("{first}–{}", following(run - 1)),
         });
         at += run.max(1);

@@ -31,7 +31,7 @@ mod text;
 pub use converge::converge;
 pub use fan::fan;
 pub use options::{ChartOptions, FrequencyUnit, Theme, parse_frequencies};
-pub use shapes::shapes;
+pub use shapes::{coupled_shapes, shapes};
 
 use alloc::string::String;
 use alloc::vec::Vec;

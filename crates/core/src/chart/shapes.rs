@@ -8,9 +8,11 @@ use super::panel::{self, Panel};
 use super::scale::Scale;
 use super::sheet::{Anchor, Face, Point, Sheet};
 use super::{ChartOptions, Drawing, text};
+use crate::analysis::MODEL;
 use crate::dof::Dof;
 use crate::figures::short_in_drawing;
-use crate::report::{ShapeReport, ShapesReport};
+use crate::functions::BasisFamily;
+use crate::report::{BasisReport, CoupledShapesReport, FunctionCounts, ShapeReport, ShapesReport};
 use alloc::format;
 use alloc::string::ToString;
 use alloc::vec::Vec;
@@ -22,8 +24,52 @@ const LEAST_SHARE: f64 = 280.0;
 /// A label that would cover more than a few lines is left out.
 const MOST_COVERED: f64 = 14.0;
 
+/// A motion of a coupled mode whose largest displacement is less than this of the largest of that motion in any
+/// mode is left out.
+const SHOWN: f64 = 0.02;
+
+/// Draws the shapes of coupled modes over the span r/R: in the panel of each motion every mode that has some of it.
+pub fn coupled_shapes(report: &CoupledShapesReport, options: &ChartOptions) -> Drawing {
+    let size = |values: &[f64]| values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+    let mut shapes = Vec::new();
+    for dof in Dof::ALL {
+        let largest = report.shapes.iter().map(|shape| size(shape.components.leading(dof))).fold(0.0, f64::max);
+        for shape in &report.shapes {
+            let displacement = shape.components.leading(dof);
+            if size(displacement) > SHOWN * largest {
+                shapes.push(ShapeReport {
+                    label: shape.label,
+                    dof,
+                    number: shape.number,
+                    frequency_rad_s: shape.frequency_rad_s.unwrap_or(f64::NAN),
+                    orthogonality: 0.0,
+                    nodes_m: if dof == shape.dof { shape.nodes_m.clone() } else { Vec::new() },
+                    displacement: displacement.to_vec(),
+                    slope: Vec::new(),
+                    moment: Vec::new(),
+                });
+            }
+        }
+    }
+    let plain = ShapesReport {
+        schema: report.schema,
+        blade: report.blade.clone(),
+        speed_rad_s: report.speed_rad_s,
+        basis: BasisReport { family: BasisFamily::Piecewise, functions: FunctionCounts::default() },
+        r_m: report.r_m.clone(),
+        radius_m: report.radius_m,
+        shapes,
+        warnings: Vec::new(),
+    };
+    draw_shapes(&plain, &report.model.words(), options)
+}
+
 /// Draws mode shapes over the span r/R.
 pub fn shapes(report: &ShapesReport, options: &ChartOptions) -> Drawing {
+    draw_shapes(report, MODEL, options)
+}
+
+fn draw_shapes(report: &ShapesReport, model: &str, options: &ChartOptions) -> Drawing {
     let style = Style::of(options.theme, options.width);
     let name = text::clean(&report.blade);
     let dofs: Vec<Dof> =
@@ -52,7 +98,7 @@ pub fn shapes(report: &ShapesReport, options: &ChartOptions) -> Drawing {
     let head = Head::new(&style, &name, Vec::new(), beside);
     let top = head.height(&style);
     let notes = alloc::vec![speed.clone(), "dots: nodes".to_string(), basis_text(&report.basis)];
-    let foot = Foot::new(&style, notes, &[], beside);
+    let foot = Foot::with_model(&style, notes, model, &[], beside);
     let height = held.map_or(ratio * width, |height| {
         let room = (height - top - foot.height(&style)) / rows.max(1) as f64;
         (room - row_rest).max(panel::least_height(&style))

@@ -51,7 +51,16 @@ pub(super) fn chart(branches: &[(Dof, f64, f64)], speeds: usize, harmonics: u32)
             let k1 = (turning * turning - rest * rest) / (nominal * nominal);
             let frequency_rad_s = speeds.iter().map(|speed| sqrt(rest * rest + k1 * speed * speed)).collect();
             let southwell = Southwell { k0: rest * rest, k1 };
-            Branch { label: Label::new(dof, number), dof, number, frequency_rad_s, southwell }
+            Branch {
+                label: Label::new(dof, number),
+                dof,
+                number,
+                frequency_rad_s,
+                southwell,
+                labels: Vec::new(),
+                lower_rad_s: Vec::new(),
+                upper_rad_s: Vec::new(),
+            }
         })
         .collect();
     let crossings = branches
@@ -77,6 +86,8 @@ pub(super) fn chart(branches: &[(Dof, f64, f64)], speeds: usize, harmonics: u32)
         coincident: vec![Coincidence { label: Label::new(Dof::Flap, 1), harmonic: 1 }],
         nominal: Nominal { speed_rad_s: nominal, margins: Vec::new() },
         warnings: Vec::new(),
+        model: None,
+        veerings: Vec::new(),
     }
 }
 

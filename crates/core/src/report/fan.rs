@@ -1,7 +1,6 @@
 //! Fan charts.
 
-use super::BasisReport;
-use super::Margin;
+use super::{BasisReport, Margin, ModelReport};
 use crate::dof::Dof;
 use crate::fault::Warning;
 use crate::label::Label;
@@ -31,6 +30,41 @@ report! {
         frequency_rad_s: Vec<f64>,
         /// Southwell coefficients.
         southwell: Southwell,
+        /// What it is called along the range; coupled alone.
+        #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+        labels: Vec<BranchLabel>,
+        /// Proven lower bounds at the speeds of the chart; coupled alone.
+        #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+        lower_rad_s: Vec<Option<f64>>,
+        /// Proven upper bounds at the speeds of the chart; coupled alone.
+        #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+        upper_rad_s: Vec<Option<f64>>,
+    }
+}
+report! {
+    /// What a branch is called from a rotor speed on.
+    #[derive(Copy)]
+    BranchLabel {
+        /// Rotor speed.
+        from_rad_s: f64,
+        /// By its leading motion there.
+        label: Label,
+    }
+}
+report! {
+    /// Where two branches come nearest.
+    #[derive(Copy)]
+    VeeringReport {
+        /// Indices of the branches, the lower one first.
+        branches: [usize; 2],
+        /// `crossing`, or `veering` where they turn away.
+        kind: &'static str,
+        /// Rotor speed there.
+        speed_rad_s: f64,
+        /// Distance of their frequencies.
+        gap_rad_s: f64,
+        /// Mean of their frequencies.
+        frequency_rad_s: f64,
     }
 }
 report! {
@@ -89,6 +123,12 @@ report! {
         nominal: Nominal,
         /// Warnings of the blade.
         warnings: Vec<Warning>,
+        /// What acts; coupled alone.
+        #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+        model: Option<ModelReport>,
+        /// Where branches come near one another, by rotor speed; coupled alone.
+        #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+        veerings: Vec<VeeringReport>,
     }
 }
 report! {
@@ -105,6 +145,19 @@ report! {
         nearest_harmonic: Option<u32>,
         /// `per_rev` less `nearest_harmonic`; `None` at rest.
         margin_per_rev: Option<f64>,
+    }
+}
+
+impl Branch {
+    /// The leading motion at a rotor speed.
+    pub fn dof_at(&self, speed_rad_s: f64) -> Dof {
+        let named = self.labels.iter().rev().find(|named| named.from_rad_s <= speed_rad_s).or(self.labels.first());
+        named.map_or(self.dof, |named| named.label.dof)
+    }
+
+    /// Whether a motion leads anywhere along it.
+    pub fn leads(&self, dof: Dof) -> bool {
+        if self.labels.is_empty() { self.dof == dof } else { self.labels.iter().any(|named| named.label.dof == dof) }
     }
 }
 
@@ -147,6 +200,8 @@ mod tests {
             coincident: Vec::new(),
             nominal: Nominal { speed_rad_s: 10.0, margins: Vec::new() },
             warnings: Vec::new(),
+            model: None,
+            veerings: Vec::new(),
         };
         let speeds = |band: (f64, f64)| -> Vec<f64> { chart.crossings_in(band).map(|at| at.speed_rad_s).collect() };
         assert_eq!(speeds((0.9, 1.1)), [0.9 * 10.0, 10.0, 1.1 * 10.0]);

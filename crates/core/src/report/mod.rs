@@ -14,6 +14,7 @@ macro_rules! report {
 mod basis;
 mod compare;
 mod converge;
+mod coupled;
 mod fan;
 mod modes;
 mod shapes;
@@ -22,7 +23,11 @@ mod summary;
 pub use basis::{BasisReport, FunctionCounts};
 pub use compare::{ComparedPoint, MeasuredPoint};
 pub use converge::{ConvergeReport, ConvergeSeries};
-pub use fan::{Branch, Coincidence, Crossing, FanChart, ModeAtSpeed, Nominal, Southwell};
+pub use coupled::{
+    BendingComponent, Components, CoupledModeReport, CoupledModesReport, CoupledShapeReport, CoupledShapesReport,
+    ModelReport, Shares, TorsionComponent,
+};
+pub use fan::{Branch, BranchLabel, Coincidence, Crossing, FanChart, ModeAtSpeed, Nominal, Southwell, VeeringReport};
 pub use modes::{Margin, ModeReport, ModesReport};
 pub use shapes::{ShapeReport, ShapesReport};
 pub use summary::{BladeSummary, DofSummary};

@@ -8,6 +8,7 @@ use super::super::sheet::{Anchor, Face, Point, Sheet, dash_array};
 use super::super::text;
 use super::crossings::draw_haloed;
 use super::units::Units;
+use crate::dof::Dof;
 use crate::numerics::scalar::{maximum, sqrt};
 use crate::report::{Branch, FanChart};
 use alloc::string::ToString;
@@ -23,6 +24,8 @@ const PER_REV_FIRST: usize = 32;
 pub(super) struct Curve<'a> {
     pub branch: &'a Branch,
     pub parts: Vec<Vec<Point>>,
+    /// The leading motion of each part.
+    pub dofs: Vec<Dof>,
 }
 
 /// Where a branch ends in the frame.
@@ -37,11 +40,14 @@ pub(super) enum End {
 /// The lines of a branch; where a frequency is not a number, there is a gap.
 pub(super) fn lay_out<'a>(branch: &'a Branch, chart: &FanChart, panel: &Panel, units: Units) -> Curve<'a> {
     let mut parts = Vec::new();
+    let mut dofs = Vec::new();
     let mut run: Vec<Point> = Vec::new();
-    let mut end = |run: &mut Vec<Point>| {
+    let mut end = |run: &mut Vec<Point>, dof: Dof| {
         parts.extend(clip(&thin(run), &panel.area));
+        dofs.resize(parts.len(), dof);
         run.clear();
     };
+    let mut leading = branch.dof;
     let mut before: Option<(f64, f64)> = None;
     let steps = PER_REV_POINTS / chart.speeds_rad_s.len().max(1);
     for (&speed, &frequency) in chart.speeds_rad_s.iter().zip(&branch.frequency_rad_s) {
@@ -49,13 +55,18 @@ pub(super) fn lay_out<'a>(branch: &'a Branch, chart: &FanChart, panel: &Panel, u
             run.extend(between(before, (speed, frequency), steps).filter_map(|(s, f)| units.point(panel, s, f)));
         }
         before = frequency.is_finite().then_some((speed, frequency));
-        match units.point(panel, speed, frequency) {
-            Some(point) => run.push(point),
-            None => end(&mut run),
+        let point = units.point(panel, speed, frequency);
+        run.extend(point);
+        let here = branch.dof_at(speed);
+        if point.is_none() || here != leading {
+            end(&mut run, leading);
+            // The next part begins where the motion changes.
+            run.extend(point);
+            leading = here;
         }
     }
-    end(&mut run);
-    Curve { branch, parts }
+    end(&mut run, leading);
+    Curve { branch, parts, dofs }
 }
 
 /// Points of a branch between two speeds. ω² is nearly straight over Ω² (Southwell), ω/Ω over Ω is
@@ -76,14 +87,21 @@ fn between(from: (f64, f64), to: (f64, f64), steps: usize) -> impl Iterator<Item
 
 pub(super) fn draw(sheet: &mut Sheet, style: &Style, curve: &Curve) {
     let branch = curve.branch;
-    let dash = dash_array(dashes(branch.dof), style.unit);
-    let (class, label) = (alloc::format!("branch {}", branch.dof), branch.label.to_string());
-    let attributes = [("class", class.as_str()), ("data-label", label.as_str()), ("stroke-dasharray", dash.as_str())];
-    sheet.layer(&attributes, &|pen| {
-        for part in &curve.parts {
-            pen.line(part, style.palette.dof(branch.dof), 2.0 * style.unit);
-        }
-    });
+    let label = branch.label.to_string();
+    // One layer for each run of parts with one leading motion.
+    let mut first = 0;
+    while let Some(&dof) = curve.dofs.get(first) {
+        let count = curve.dofs[first..].iter().take_while(|next| **next == dof).count();
+        let (dash, class) = (dash_array(dashes(dof), style.unit), alloc::format!("branch {dof}"));
+        let attributes =
+            [("class", class.as_str()), ("data-label", label.as_str()), ("stroke-dasharray", dash.as_str())];
+        sheet.layer(&attributes, &|pen| {
+            for part in &curve.parts[first..first + count] {
+                pen.line(part, style.palette.dof(dof), 2.0 * style.unit);
+            }
+        });
+        first += count;
+    }
 }
 
 /// Where a branch ends in the frame, and its label there.
@@ -100,7 +118,7 @@ pub(super) fn end_of(curve: &Curve, style: &Style, area: &Area) -> Option<End> {
         text: curve.branch.label.to_string(),
         from: at.0,
         target: at.1,
-        colour: style.palette.dof(curve.branch.dof),
+        colour: style.palette.dof(curve.dofs.last().copied().unwrap_or(curve.branch.dof)),
         bold: true,
         rank,
         limit: f64::INFINITY,

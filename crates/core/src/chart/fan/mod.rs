@@ -9,6 +9,7 @@ mod rays;
 #[cfg(test)]
 mod tests;
 mod units;
+mod veerings;
 
 use super::key::{Entry, Foot, Head, Sign, basis_text, draw_background, list_labels};
 use super::labels::Obstacles;
@@ -18,10 +19,11 @@ use super::panel::{self, Panel};
 use super::scale::Scale;
 use super::sheet::{Anchor, Face, Point, Sheet};
 use super::{ChartOptions, Drawing, text};
+use crate::analysis::MODEL;
 use crate::dof::Dof;
 use crate::figures::short_in_drawing;
 use crate::label::Label;
-use crate::report::FanChart;
+use crate::report::{FanChart, ModelReport};
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -63,7 +65,8 @@ pub fn fan(chart: &FanChart, options: &ChartOptions) -> Drawing {
     let usual = RATIO * (right - left);
     let (mut panel, mut curves, mut measured) = lay_out(usual);
     let remarks = remarks(chart, &curves, &measured, &range, units);
-    let foot = Foot::new(&style, alloc::vec![basis_text(&chart.basis)], &remarks, left);
+    let model = chart.model.as_ref().map_or_else(|| MODEL.to_string(), ModelReport::words);
+    let foot = Foot::with_model(&style, alloc::vec![basis_text(&chart.basis)], &model, &remarks, left);
     let under = panel::ticks_below(&style) + panel::name_below(&style) + 0.5 * style.small();
     if let Some(height) = held {
         let room = height - top - under - foot.height(&style);
@@ -105,6 +108,7 @@ pub fn fan(chart: &FanChart, options: &ChartOptions) -> Drawing {
             None => {}
         }
     }
+    veerings::draw(&mut sheet, &style, chart, &panel, units);
     branches::draw_inside(&mut sheet, &style, &inside, &mut obstacles);
     panel::draw_end_labels(&mut sheet, &style, &area, &ends);
     rays::draw_top_labels(&mut sheet, &style, &area, &rays, &tops);
@@ -119,7 +123,7 @@ pub fn fan(chart: &FanChart, options: &ChartOptions) -> Drawing {
 fn entries(chart: &FanChart, options: &ChartOptions, range: &Range, units: Units) -> Vec<Entry> {
     let mut entries: Vec<Entry> = Dof::ALL
         .into_iter()
-        .filter(|dof| chart.branches.iter().any(|branch| branch.dof == *dof))
+        .filter(|dof| chart.branches.iter().any(|branch| branch.leads(*dof)))
         .map(Entry::dof)
         .collect();
     if let Some(blades) = chart.blades.filter(|&blades| blades > 0 && blades <= chart.harmonics) {
@@ -133,6 +137,9 @@ fn entries(chart: &FanChart, options: &ChartOptions, range: &Range, units: Units
     if crossings > 0 {
         let plural = if crossings == 1 { "" } else { "s" };
         entries.push(Entry::new(Sign::Crossing, format!("{crossings} crossing{plural} in this band")));
+    }
+    if chart.veerings.iter().any(|veering| veering.kind == "veering") {
+        entries.push(Entry::new(Sign::Veering, "veering".to_string()));
     }
     entries.extend(measured::entries(options.measured));
     entries
