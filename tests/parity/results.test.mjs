@@ -73,6 +73,17 @@ for (const entry of blades) {
   test(`${name}: converge`, () => compare("converge", entry, {}, 16 * 8));
   // More modes than the 15 functions of the other commands: here the number of functions varies.
   test(`${name}: converge with 16 modes`, () => compare("converge", entry, { modes: 16 }, 16 * 8));
+  test(`${name}: coupled modes`, () => compare("modes", entry, { model: "coupled", pitch: "8deg" }, 12 * 10));
+  test(`${name}: coupled fan`, () => compare("fan", entry, { model: "coupled", speeds: `0:${1.2 * nominal}:11`, precone: 0.03 }, 11 * 36));
+  test(`${name}: coupled shapes`, () => compare("shapes", entry, { model: "coupled", modes: 5, points: 11, rotary: "off" }, 11 * 50));
+  for (const kind of ["fan", "shapes"]) {
+    test(`${name}: coupled drawing of ${kind}`, () => {
+      const file = join(folder, `${name}-${kind}-coupled.svg`);
+      const { status, stderr } = run(kind, name, "--model", "coupled", "--svg", file);
+      assert.equal(status, 0, stderr);
+      assert.ok(value(pkg.chart_svg(kind, blade, { model: "coupled" })).svg === readFileSync(file, "utf8"), "the two SVG texts differ");
+    });
+  }
   for (const kind of ["fan", "shapes", "converge"]) {
     for (const theme of ["light", "dark"]) {
       test(`${name}: drawing of ${kind}, ${theme}`, () => {

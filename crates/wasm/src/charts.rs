@@ -2,10 +2,10 @@
 
 use crate::options::{self, Analysis};
 use crate::reply::reply;
-use crate::{Answer, solve};
+use crate::{Answer, solve_in};
 use bladefan_core::chart::{self, Drawing, PlotArea};
-use bladefan_core::report::{ConvergeReport, FanChart, ShapesReport};
-use bladefan_core::{Fault, FaultCode};
+use bladefan_core::report::{ConvergeReport, CoupledShapesReport, FanChart, ShapesReport};
+use bladefan_core::{Fault, FaultCode, ModelKind, Settings};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -31,6 +31,7 @@ impl Drawn {
 enum Report {
     Fan(FanChart),
     Shapes(ShapesReport),
+    CoupledShapes(CoupledShapesReport),
     Converge(ConvergeReport),
 }
 
@@ -45,21 +46,31 @@ pub fn chart_svg(
         let rule = "must be fan, shapes or converge";
         return reply::<()>(Err(Fault::new(FaultCode::UnknownChoice, "kind", kind.as_string(), rule, rule).into()));
     };
-    solve(blade, options::settings_and_looks(options, analysis), |blade, (settings, looks)| {
-        let looks = looks.chart_options(settings);
-        Ok(match analysis {
-            Analysis::Shapes => {
-                let report = bladefan_core::shapes(blade, settings)?;
-                Drawn::new(chart::shapes(&report, &looks), Report::Shapes(report))
-            }
-            Analysis::Converge => {
-                let report = bladefan_core::converge(blade, settings)?;
-                Drawn::new(chart::converge(&report, &looks), Report::Converge(report))
-            }
-            _ => {
-                let report = bladefan_core::fan(blade, settings)?;
-                Drawn::new(chart::fan(&report, &looks), Report::Fan(report))
-            }
-        })
-    })
+    let given = options::settings_and_looks(options, analysis);
+    solve_in(
+        |(settings, _): &(Settings, _)| settings.model,
+        blade,
+        given,
+        |blade, (settings, looks)| {
+            let looks = looks.chart_options(settings);
+            Ok(match analysis {
+                Analysis::Shapes if settings.model == ModelKind::Coupled => {
+                    let report = bladefan_core::coupled_shapes(blade, settings)?;
+                    Drawn::new(chart::coupled_shapes(&report, &looks), Report::CoupledShapes(report))
+                }
+                Analysis::Shapes => {
+                    let report = bladefan_core::shapes(blade, settings)?;
+                    Drawn::new(chart::shapes(&report, &looks), Report::Shapes(report))
+                }
+                Analysis::Converge => {
+                    let report = bladefan_core::converge(blade, settings)?;
+                    Drawn::new(chart::converge(&report, &looks), Report::Converge(report))
+                }
+                _ => {
+                    let report = bladefan_core::fan(blade, settings)?;
+                    Drawn::new(chart::fan(&report, &looks), Report::Fan(report))
+                }
+            })
+        },
+    )
 }

@@ -24,8 +24,8 @@ pub use crate::files::*;
 
 use crate::reply::reply;
 use bladefan_core::Blade;
-use bladefan_core::Faults;
 use bladefan_core::formats::{self, BladeFile, Tree};
+use bladefan_core::{Faults, ModelKind};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -42,6 +42,23 @@ fn solve<S, R: Serialize>(
     solve: impl FnOnce(&Blade, &S) -> Result<R, Faults>,
 ) -> Answer {
     with(blade, settings, |file, settings| solve(&file.blade, settings))
+}
+
+/// The same where the settings choose a model, which has warnings of its own.
+fn solve_in<S, R: Serialize>(
+    model: impl Fn(&S) -> ModelKind,
+    blade: &JsValue,
+    settings: Result<S, Faults>,
+    solve: impl FnOnce(&Blade, &S) -> Result<R, Faults>,
+) -> Answer {
+    reply(Faults::both(read_blade(blade), settings).and_then(|(file, settings)| {
+        let result = solve(&file.blade, &settings)?;
+        let warnings = match model(&settings) {
+            ModelKind::Uncoupled => bladefan_core::warnings(&file.blade),
+            ModelKind::Coupled => file.blade.warnings().to_vec(),
+        };
+        Ok((result, warnings))
+    }))
 }
 
 /// The same with the blade as given and as checked.

@@ -21,6 +21,9 @@ pub(crate) enum Analysis {
     Compare,
 }
 
+/// Options of the model, of all but convergence studies.
+const MODEL: &[&str] = &["model", "pitch", "precone", "trapeze", "rotary", "propeller_moment"];
+
 impl Analysis {
     /// What has a chart; modes are a table.
     const CHARTS: &[Self] = &[Self::Fan, Self::Shapes, Self::Converge];
@@ -48,6 +51,11 @@ impl Analysis {
             Self::Converge => &["speed", "modes", "dof", "basis", "up_to"],
             Self::Compare => &["modes", "dof", "basis", "functions"],
         }
+    }
+
+    /// Whether the analysis has this option.
+    fn has(self, name: &str) -> bool {
+        self.options().contains(&name) || (self != Self::Converge && MODEL.contains(&name))
     }
 }
 
@@ -154,7 +162,7 @@ fn read(options: &JsValue, analysis: Analysis, mut looks: Option<&mut Looks>) ->
         if drawn {
             continue;
         }
-        if !analysis.options().contains(&name.as_str()) {
+        if !analysis.has(&name) {
             let rule = format!("is not an option of {}", analysis.name());
             faults.push(Fault::new(FaultCode::Option, name.as_str(), None, rule.as_str(), rule.as_str()));
         } else if let Err(fault) = settings.set(&name, &text) {

@@ -49,7 +49,19 @@ export interface Blade {
   notes?: string;
   source?: { citation?: string; quality?: "published" | "estimated" | "example" };
   units?: Units;
-  rotor: { radius: number; nominal_speed: number; blades?: number };
+  rotor: {
+    radius: number;
+    nominal_speed: number;
+    blades?: number;
+    /** + nose up, added to the twist everywhere. */
+    pitch?: number;
+    /** + tip up. */
+    precone?: number;
+    /** Of the elastic axis, + toward the leading edge. */
+    torque_offset?: number;
+    /** Of the springs of flap and lag, + nose up; "pitch" turns them with the blade at their radius. */
+    spring_angle?: number | "pitch";
+  };
   flap: BladeRoot<"hingeless" | "hinged" | "spring-hinged">;
   lag: BladeRoot<"hingeless" | "hinged" | "spring-hinged">;
   torsion: BladeRoot<"rigid" | "spring">;
@@ -59,10 +71,27 @@ export interface Blade {
     flap_stiffness: Property;
     lag_stiffness: Property;
     torsion_stiffness: Property;
-    polar_inertia: Property;
+    /** The sum of the next two where it is absent and they are not. */
+    polar_inertia?: Property;
+    flap_inertia?: Property;
+    lag_inertia?: Property;
     mass_offset?: Property;
     twist?: Property;
+    tension_offset?: Property;
+    axial_stiffness?: Property;
+    trapeze_radius?: Property;
   };
+  point_mass?: PointMass[];
+}
+/** A mass at one radius. */
+export interface PointMass {
+  r: number;
+  mass: number;
+  /** + toward the leading edge. */
+  offset?: number;
+  flap_inertia?: number;
+  /** Absent: mass·offset². */
+  lag_inertia?: number;
 }
 export interface BladeRoot<Kind> {
   root: Kind;
@@ -75,7 +104,7 @@ export interface BladeRoot<Kind> {
 export interface Change {
   /** A path of the blade file: "distribution.mass" and the other properties, "flap.offset", "lag.spring", "rotor.nominal_speed". */
   what: string;
-  /** Times this. A mass that is scaled takes the polar inertia along. */
+  /** Times this. A mass that is scaled takes its inertias and the point masses there along. */
   scale?: number | null;
   /** To this, in `units`. */
   set?: number | null;
@@ -86,7 +115,7 @@ export interface Change {
   to?: number | null;
   /** Units of the numbers here; absent ones are the blade's. */
   units?: Units | null;
-  /** Leaves the polar inertia as it is where mass is scaled. */
+  /** Leaves inertias and point masses as they are where mass is scaled. */
   mass_alone?: boolean | null;
 }
 /** A blade after changes, in its own units. */
@@ -106,11 +135,23 @@ export interface SolverOptions {
   /** Default "piecewise": as many functions as it takes. "classical": the paper's, as many as `functions` says. */
   basis?: "piecewise" | "classical" | null;
 }
-export interface ModesOptions extends SolverOptions {
+/** An angle: a number in rad, or text with a unit ("8deg", "0.14rad"). */
+export type Angle = number | string;
+/** What is solved; all but `model` act in the coupled model alone. Convergence studies have none of it. */
+export interface ModelOptions extends SolverOptions {
+  /** Default "uncoupled". */
+  model?: "uncoupled" | "coupled" | null;
+  pitch?: Angle | null;
+  precone?: Angle | null;
+  trapeze?: "on" | "off" | null;
+  rotary?: "on" | "off" | null;
+  propeller_moment?: "full" | "paper" | null;
+}
+export interface ModesOptions extends ModelOptions {
   speed?: Speed | null;
   functions?: number | string | null;
 }
-export interface FanOptions extends SolverOptions {
+export interface FanOptions extends ModelOptions {
   /** `[from, to, count]` or "FROM:TO:COUNT". */
   speeds?: [Speed, Speed, number] | string | null;
   functions?: number | string | null;
@@ -126,7 +167,7 @@ export interface ConvergeOptions extends SolverOptions {
   speed?: Speed | null;
   up_to?: number | string | null;
 }
-export interface CompareOptions extends SolverOptions {
+export interface CompareOptions extends ModelOptions {
   functions?: number | string | null;
 }
 /** Options of a drawing, beside those of its analysis. */
@@ -197,12 +238,120 @@ export interface FanChart {
   harmonics: number;
   basis: Basis;
   speeds_rad_s: number[];
-  branches: { label: string; dof: Dof; number: number; frequency_rad_s: number[]; southwell: { k0: number; k1: number } }[];
+  branches: Branch[];
   crossings: { label: string; harmonic: number; speed_rad_s: number; frequency_rad_s: number }[];
   /** Branches that lie on a ray at every speed. */
   coincident: { label: string; harmonic: number }[];
   nominal: { speed_rad_s: number; margins: Margin[] };
   warnings: Warning[];
+  /** What acts; coupled alone. */
+  model?: Model;
+  /** Where branches come near one another, by rotor speed; coupled alone. */
+  veerings?: {
+    /** Indices of the branches, the lower one first. */
+    branches: number[];
+    kind: "crossing" | "veering";
+    speed_rad_s: number;
+    gap_rad_s: number;
+    frequency_rad_s: number;
+  }[];
+}
+/** One mode over all speeds of a chart. */
+export interface Branch {
+  label: string;
+  dof: Dof;
+  number: number;
+  /** Not a number where a coupled blade is unstable. */
+  frequency_rad_s: number[];
+  southwell: { k0: number; k1: number };
+  /** What it is called from a rotor speed on; coupled alone, as are its bounds. */
+  labels?: { from_rad_s: number; label: string }[];
+  lower_rad_s?: (number | null)[];
+  upper_rad_s?: (number | null)[];
+}
+/** How much of a mode's kinetic energy about the mass centre is in each motion; in sum 1. */
+export interface Shares {
+  flap: number;
+  lag: number;
+  torsion: number;
+}
+/** One mode of a coupled blade. */
+export interface CoupledMode {
+  /** "2F", "1T"; "3F/T" where it is mixed. */
+  label: string;
+  dof: Dof;
+  number: number;
+  mixed: boolean;
+  shares: Shares;
+  /** Null where unstable. */
+  frequency_rad_s: number | null;
+  frequency_hz: number | null;
+  per_rev: number | null;
+  nearest_harmonic: number | null;
+  margin_per_rev: number | null;
+  /** ω², negative where unstable. */
+  eigenvalue_s2: number;
+  unstable: boolean;
+  lower_rad_s: number | null;
+  upper_rad_s: number | null;
+  lower_eigenvalue_s2: number | null;
+  upper_eigenvalue_s2: number | null;
+  /** Why there are no bounds. */
+  bounds_missing: "separation not proven" | "no shift" | null;
+  /** Where there are none: an estimate, which is no bound. */
+  error_estimate_rad_s: number | null;
+  separation_rad_s: number | null;
+}
+/** Modes of a coupled blade at one rotor speed, ascending. */
+export interface CoupledModesReport {
+  schema: "bladefan-modes/1";
+  blade: string;
+  speed_rad_s: number;
+  model: Model;
+  /** Number of piecewise functions. */
+  functions: number;
+  modes: CoupledMode[];
+  warnings: Warning[];
+}
+export interface BendingComponent {
+  displacement: number[];
+  slope: number[];
+  moment: number[];
+  force: number[];
+}
+/** One mode shape of a coupled blade. */
+export interface CoupledShape {
+  label: string;
+  dof: Dof;
+  number: number;
+  shares: Shares;
+  frequency_rad_s: number | null;
+  nodes_m: number[];
+  components: { flap: BendingComponent; lag: BendingComponent; torsion: { twist: number[]; moment: number[] } };
+}
+export interface CoupledShapesReport {
+  schema: "bladefan-shapes/1";
+  blade: string;
+  speed_rad_s: number;
+  model: Model;
+  functions: number;
+  r_m: number[];
+  radius_m: number;
+  shapes: CoupledShape[];
+  warnings: Warning[];
+}
+/** What acts in a coupled model. */
+export interface Model {
+  kind: "coupled";
+  pitch_rad: number;
+  precone_rad: number;
+  trapeze: boolean;
+  rotary: boolean;
+  gyroscopic: boolean;
+  steady: boolean;
+  cone: "held";
+  propeller_moment: "full" | "paper";
+  unused: string[];
 }
 /** One branch at one speed of a chart, as `at_speed` reads it off. */
 export interface ModeAtSpeed {
@@ -290,7 +439,7 @@ export interface BladeSummary {
 }
 
 /** What a chart may show; `schema` tells which. */
-export type ChartReport = FanChart | ShapesReport | ConvergeReport;
+export type ChartReport = FanChart | ShapesReport | CoupledShapesReport | ConvergeReport;
 
 export interface Drawing<Report extends ChartReport = ChartReport> {
   svg: string;

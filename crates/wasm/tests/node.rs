@@ -380,7 +380,8 @@ fn a_blade_is_changed_and_what_goes_along_is_said() {
         "unknown-choice changes[0].what: what is changed must be rotor.nominal_speed, flap.offset, flap.spring, \
          lag.offset, lag.spring, torsion.offset, torsion.spring, distribution.mass, distribution.flap_stiffness, \
          distribution.lag_stiffness, distribution.torsion_stiffness, distribution.polar_inertia, \
-         distribution.mass_offset or distribution.twist (is mass)",
+         distribution.flap_inertia, distribution.lag_inertia, distribution.mass_offset, distribution.twist, \
+         distribution.tension_offset, distribution.axial_stiffness or distribution.trapeze_radius (is mass)",
         "conflict changes[1]: a change must have one of scale, set and add",
         "wrong-type changes[2].scale: scale must be a number (is \"2\")",
         "wrong-type changes[3]: changes [3] must be a table (is 4)",
