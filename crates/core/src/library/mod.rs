@@ -13,9 +13,11 @@ pub struct Entry {
 pub const ENTRIES: &[Entry] = &[
     Entry { name: "tm4760", toml: include_str!("blades/tm4760.toml") },
     Entry { name: "sa330", toml: include_str!("blades/sa330.toml") },
+    Entry { name: "uh60a", toml: include_str!("blades/uh60a.toml") },
     Entry { name: "bo105", toml: include_str!("blades/bo105.toml") },
     Entry { name: "hingeless-1000", toml: include_str!("blades/hingeless-1000.toml") },
     Entry { name: "uniform", toml: include_str!("blades/uniform.toml") },
+    Entry { name: "twisted", toml: include_str!("blades/twisted.toml") },
 ];
 
 /// The built-in blade of this name.
