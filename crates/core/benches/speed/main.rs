@@ -7,6 +7,7 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints, and stops on a fault")]
 
 mod converged;
+mod coupled;
 mod figure_8;
 mod march;
 
@@ -198,6 +199,9 @@ fn main() {
     parts(&mut criterion, &blade);
     chart(&mut criterion, &blade);
     functions(&mut criterion, &blade);
+    for name in ["tm4760", "bo105", "uh60a"] {
+        coupled::measure(&mut criterion, name, &built_in(name));
+    }
     criterion.final_summary();
     // `cargo test` runs each measurement once, as a test, and has no use for ratios.
     if std::env::args().any(|argument| argument == "--bench") {
