@@ -3,7 +3,7 @@
 use crate::options::{self, Analysis};
 use crate::{Answer, solve, solve_in, string};
 use bladefan_core::formats;
-use bladefan_core::{Faults, ModelKind, Settings};
+use bladefan_core::{Blade, Faults, ModelKind, Settings};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -15,24 +15,30 @@ enum Either<U, C> {
     Coupled(C),
 }
 
+/// The answer of the model that the options choose.
+fn either<U: Serialize, C: Serialize>(
+    blade: &JsValue,
+    options: &JsValue,
+    analysis: Analysis,
+    uncoupled: fn(&Blade, &Settings) -> Result<U, Faults>,
+    coupled: fn(&Blade, &Settings) -> Result<C, Faults>,
+) -> Answer {
+    let answer = |blade: &Blade, settings: &Settings| {
+        Ok(match settings.model {
+            ModelKind::Uncoupled => Either::Uncoupled(uncoupled(blade, settings)?),
+            ModelKind::Coupled => Either::Coupled(coupled(blade, settings)?),
+        })
+    };
+    solve_in(|settings: &Settings| settings.model, blade, options::settings(options, analysis), answer)
+}
+
 /// Frequencies of every degree of freedom at one rotor speed.
 #[wasm_bindgen(unchecked_return_type = "Reply<ModesReport | CoupledModesReport>")]
 pub fn modes(
     #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "ModesOptions")] options: &JsValue,
 ) -> Answer {
-    let settings = options::settings(options, Analysis::Modes);
-    solve_in(
-        |settings| settings.model,
-        blade,
-        settings,
-        |blade, settings: &Settings| {
-            Ok(match settings.model {
-                ModelKind::Uncoupled => Either::Uncoupled(bladefan_core::modes(blade, settings)?),
-                ModelKind::Coupled => Either::Coupled(bladefan_core::coupled_modes(blade, settings)?),
-            })
-        },
-    )
+    either(blade, options, Analysis::Modes, bladefan_core::modes, bladefan_core::coupled_modes)
 }
 
 /// How far each mode is from the nearest harmonic at one rotor speed; nothing at rest.
@@ -41,18 +47,10 @@ pub fn margins(
     #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "ModesOptions")] options: &JsValue,
 ) -> Answer {
-    let settings = options::settings(options, Analysis::Modes);
-    solve_in(
-        |settings| settings.model,
-        blade,
-        settings,
-        |blade, settings: &Settings| {
-            Ok(match settings.model {
-                ModelKind::Uncoupled => bladefan_core::margins(&bladefan_core::modes(blade, settings)?),
-                ModelKind::Coupled => bladefan_core::coupled_modes(blade, settings)?.margins(),
-            })
-        },
-    )
+    let uncoupled =
+        |blade: &Blade, settings: &Settings| Ok(bladefan_core::margins(&bladefan_core::modes(blade, settings)?));
+    let coupled = |blade: &Blade, settings: &Settings| Ok(bladefan_core::coupled_modes(blade, settings)?.margins());
+    either(blade, options, Analysis::Modes, uncoupled, coupled)
 }
 
 /// Fan chart: branches over a range of rotor speeds, crossings, margins at nominal speed.
@@ -71,18 +69,7 @@ pub fn shapes(
     #[wasm_bindgen(unchecked_param_type = "Blade")] blade: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "ShapesOptions")] options: &JsValue,
 ) -> Answer {
-    let settings = options::settings(options, Analysis::Shapes);
-    solve_in(
-        |settings| settings.model,
-        blade,
-        settings,
-        |blade, settings: &Settings| {
-            Ok(match settings.model {
-                ModelKind::Uncoupled => Either::Uncoupled(bladefan_core::shapes(blade, settings)?),
-                ModelKind::Coupled => Either::Coupled(bladefan_core::coupled_shapes(blade, settings)?),
-            })
-        },
-    )
+    either(blade, options, Analysis::Shapes, bladefan_core::shapes, bladefan_core::coupled_shapes)
 }
 
 /// Frequency against the number of assumed functions at one rotor speed.

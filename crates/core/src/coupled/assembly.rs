@@ -152,3 +152,12 @@ pub fn scale(function: &mut [Vec<f64>], factor: f64) {
         vector::scale(part, factor);
     }
 }
+
+/// A sum of functions, of which there is one at least.
+pub fn sum(functions: &[Vector], parts: &[f64]) -> Vector {
+    let mut sum: Vector = functions[0].iter().map(|part| vec![0.0; part.len()]).collect();
+    for (function, part) in functions.iter().zip(parts) {
+        add(&mut sum, *part, function);
+    }
+    sum
+}

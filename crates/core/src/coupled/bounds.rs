@@ -15,7 +15,7 @@ const WIDE: f64 = 1.3;
 /// θ and σ/ρ, the first proven of which is taken; each contains the one before.
 const SHIFTS: [(f64, f64); 6] = [(0.1, 0.01), (0.25, 0.03), (0.5, 0.1), (0.65, 0.3), (0.8, 1.0), (0.9, 3.0)];
 /// Relative rounding of energies that are sums over the points of a blade, generously.
-const ROUNDING: f64 = 1e-13;
+pub const ROUNDING: f64 = 1e-13;
 /// Allowance for the quadrature of the residual moments.
 pub const SLACK: f64 = 1.001;
 

@@ -1,7 +1,7 @@
 //! The lowest modes by inverse iteration along the blade: a block of three vectors and all that the inverse
 //! of K + F + sC + σM makes of it, orthonormal in M.
 
-use super::assembly::{Assembly, Vector, add, product, scale};
+use super::assembly::{Assembly, Vector, add, product, scale, sum};
 use super::elimination::Factor;
 use crate::numerics::scalar::{cos, sqrt};
 use alloc::vec;
@@ -52,7 +52,7 @@ pub fn lowest(assembly: &Assembly, factor: &Factor, count: usize, seed: usize) -
         if (enough && (waiting - 2 * count).is_multiple_of(EVERY)) || waiting == krylov.vectors.len() {
             let (parts, settled) = krylov.ritz(count)?;
             if settled >= count || waiting == krylov.vectors.len() {
-                return Some(parts.column_iter().map(|column| krylov.sum(column.as_slice())).collect());
+                return Some(parts.column_iter().map(|column| sum(&krylov.vectors, column.as_slice())).collect());
             }
         }
     }
@@ -135,13 +135,5 @@ impl Krylov {
         };
         let settled = order.iter().take_while(is_settled).count();
         Some((eigen.eigenvectors.select_columns(&order), settled))
-    }
-
-    fn sum(&self, parts: &[f64]) -> Vector {
-        let mut sum: Vector = self.vectors[0].iter().map(|part| vec![0.0; part.len()]).collect();
-        for (vector, part) in self.vectors.iter().zip(parts) {
-            add(&mut sum, *part, vector);
-        }
-        sum
     }
 }

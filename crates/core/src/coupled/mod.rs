@@ -29,7 +29,7 @@ use crate::numerics::eigen::{EigenError, lowest};
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::maximum;
 use alloc::vec::Vec;
-use assembly::{Assembly, Vector};
+use assembly::{Assembly, Vector, sum};
 use bounds::{lower_bounds, prove, rounding};
 use equilibrium::{ModeEnergies, ModeFields, energies, residuals};
 use layout::{Layout, first_layout, raise};
@@ -167,7 +167,7 @@ impl Solved {
         let relative: Vec<f64> = values.iter().map(|value| 1.0 / value.abs().max(floor)).collect();
         let shares = residuals.shares(&relative);
         let worst = (0..relative.len().saturating_sub(beyond)).map(|i| gaps[(i, i)] * relative[i]).fold(0.0, maximum);
-        let modes = ritz.vectors.column_iter().map(|parts| combined(found, parts.as_slice())).collect();
+        let modes = ritz.vectors.column_iter().map(|parts| sum(found, parts.as_slice())).collect();
         Ok(Self { modes, values, fields, energies, gaps, shares, worst })
     }
 
@@ -222,15 +222,6 @@ fn solve(
     let (found, sigma) = iterate(&assembly, s, count, SHIFT.0 * layout.highest)?;
     let solved = Solved::new(blade, &assembly, &found, (s, sigma), BEYOND)?;
     Ok((assembly, solved))
-}
-
-/// A sum of functions.
-fn combined(functions: &[Vector], parts: &[f64]) -> Vector {
-    let mut sum: Vector = functions[0].iter().map(|part| alloc::vec![0.0; part.len()]).collect();
-    for (function, part) in functions.iter().zip(parts) {
-        assembly::add(&mut sum, *part, function);
-    }
-    sum
 }
 
 /// Modes by inverse iteration, and the shift, at least this, that leaves the form definite.

@@ -3,10 +3,10 @@
 
 use super::assembly::{Assembly, Vector, add, product, scale};
 use super::blade::CoupledBlade;
-use super::bounds::{Missing, Proof, lower_bounds, prove_separation, prove_shift};
+use super::bounds::{Missing, Proof, ROUNDING, lower_bounds, prove_separation, prove_shift};
 use super::equilibrium::{Factors, ModeFields, energies, residual};
 use super::layout::{first_layout, raise};
-use super::{MOST_ROUNDS, ORDER_OF_PROOFS, SHARE, SHIFT, Solved, TOLERANCE, iterate, shares};
+use super::{FLOOR, MOST_ROUNDS, ORDER_OF_PROOFS, SHARE, SHIFT, Solved, TOLERANCE, iterate, shares};
 use crate::numerics::eigen::{EigenError, lowest, symmetric_values};
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::{maximum, sqrt};
@@ -28,8 +28,6 @@ const ACCEPTED: f64 = 1e-10;
 const NOTHING_NEW: f64 = 1e-6;
 /// A separation is proven anew where the last mode comes so near to it.
 const NEAR: f64 = 0.95;
-/// Relative rounding of energies that are sums over the points of a blade, generously.
-const ROUNDING: f64 = 1e-13;
 
 /// One mode of a coupled blade at one speed of a range.
 #[derive(Clone, Debug)]
@@ -141,7 +139,7 @@ impl Range {
                 Some(share) if range.error > ACCEPTED => {
                     modes.extend(iterate(&fine, share * highest, sought, sigma)?.0);
                 }
-                _ => return Ok(range),
+                _ => return range.with_shift(),
             }
         }
     }
@@ -178,20 +176,20 @@ impl Range {
             functions: fine.unknowns_by_motion(),
             error: 0.0,
         };
-        range.shift = prove_shift(coarse, highest, range.reach(highest)?)
-            .or_else(|| prove_shift(fine, highest, range.reach(highest).ok()?));
         for share in CHECKS {
             let found = range.modes(share * highest, count)?;
-            let floor = 1e-4 * found.last().map_or(0.0, |mode| mode.eigenvalue.abs());
+            let floor = FLOOR * found.last().map_or(0.0, |mode| mode.eigenvalue.abs());
             let own = found.iter().map(|mode| mode.error / mode.eigenvalue.abs().max(floor)).fold(0.0, maximum);
             range.error = maximum(range.error, own);
         }
         Ok(range)
     }
 
-    /// About where separations stand.
-    fn reach(&self, s: f64) -> Result<f64, EigenError> {
-        Ok(self.eigenvalues(s)?.last().copied().unwrap_or(0.0))
+    /// With the shift of all its bounds, which is about in proportion to the highest eigenvalue.
+    fn with_shift(mut self) -> Result<Self, EigenError> {
+        let rho = self.eigenvalues(self.highest)?.last().copied().unwrap_or(0.0);
+        self.shift = [&self.coarse, &self.fine].into_iter().find_map(|on| prove_shift(on, self.highest, rho));
+        Ok(self)
     }
 
     /// Number of functions of flap, lag and torsion behind the modes.
