@@ -7,7 +7,11 @@ export const MEASURED = "label,speed [rpm],frequency [Hz],source\n1F,0,1.5,bench
 const FORMATS = ["table", "json", "csv"];
 const BASES = ["piecewise", "classical"];
 
-const run = (command, ...args) => ({ command, args: [command, ...args], files: args.filter((arg) => /^drawn\./.test(arg)) });
+// Of the uncoupled model, whose numbers do not move.
+const MODEL = ["--model", "uncoupled"];
+const SOLVERS = ["modes", "fan", "shapes", "converge"];
+
+const run = (command, ...args) => ({ command, args: [command, ...args, ...(SOLVERS.includes(command) ? MODEL : [])], files: args.filter((arg) => /^drawn\./.test(arg)) });
 
 /** Runs on one blade, by its name or file. `whole` adds what is slow or the same on all blades. */
 export function runsOf(blade, measured, whole) {

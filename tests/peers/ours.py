@@ -7,6 +7,8 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
+# Peers are compared motion by motion.
+MODEL = ("--model", "uncoupled")
 
 
 def program():
@@ -47,7 +49,7 @@ def version():
 
 def modes(blade, speed, count=3):
     return ask(
-        "modes", str(blade), "--speed", repr(float(speed)), "--modes", str(count)
+        "modes", str(blade), *MODEL, "--speed", repr(float(speed)), "--modes", str(count)
     )
 
 
@@ -60,13 +62,14 @@ def shapes(blade, speed, count=3, points=801):
         "--points",
         str(points),
     )
-    return ask("shapes", str(blade), *arguments)[0]
+    return ask("shapes", str(blade), *MODEL, *arguments)[0]
 
 
 def chart(blade, speed, count=3, speeds=101):
     return ask(
         "fan",
         str(blade),
+        *MODEL,
         "--speeds",
         f"0:{float(speed)!r}:{speeds}",
         "--modes",

@@ -7,7 +7,7 @@ use bladefan_core::Dof;
 use bladefan_core::formats::{Format, read};
 use bladefan_core::report::ModeReport;
 use bladefan_core::units::{RAD_S_PER_RPM, hz};
-use bladefan_core::{Settings, modes};
+use bladefan_core::{ModelKind, Settings, modes};
 use core::fmt::Write as _;
 use serde::Deserialize;
 use std::fs;
@@ -111,7 +111,7 @@ impl Case {
                 "rad/s" => row[0],
                 unit => panic!("unit {unit}"),
             };
-            let settings = Settings { speed: Some(speed), ..Settings::default() };
+            let settings = Settings { speed: Some(speed), ..Settings::of(ModelKind::Uncoupled) };
             let report = modes(blade, &settings).unwrap_or_else(|faults| panic!("{faults:?}"));
             for (label, &expected) in self.labels.iter().zip(&row[1..]) {
                 let mode: &ModeReport =

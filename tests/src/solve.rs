@@ -5,7 +5,7 @@ use bladefan_core::BasisFamily;
 use bladefan_core::Blade;
 use bladefan_core::Dof;
 use bladefan_core::report::ModeReport;
-use bladefan_core::{Settings, modes};
+use bladefan_core::{ModelKind, Settings, modes};
 
 /// Settings for one degree of freedom: `functions` classical functions, `count` modes, at `speed` [rad/s].
 pub fn settings(dof: Dof, speed: f64, functions: usize, count: usize) -> Settings {
@@ -14,7 +14,13 @@ pub fn settings(dof: Dof, speed: f64, functions: usize, count: usize) -> Setting
 
 /// Settings for one degree of freedom: `count` modes of the piecewise functions at `speed` [rad/s].
 pub fn converged_settings(dof: Dof, speed: f64, count: usize) -> Settings {
-    Settings { basis: BasisFamily::Piecewise, speed: Some(speed), modes: count, dofs: vec![dof], ..Settings::default() }
+    Settings {
+        basis: BasisFamily::Piecewise,
+        speed: Some(speed),
+        modes: count,
+        dofs: vec![dof],
+        ..Settings::of(ModelKind::Uncoupled)
+    }
 }
 
 /// Modes of a checked blade.

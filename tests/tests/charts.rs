@@ -4,7 +4,7 @@
 
 use bladefan_core::Dof;
 use bladefan_core::Warning;
-use bladefan_core::{Settings, SpeedRange, fan, modes};
+use bladefan_core::{ModelKind, Settings, SpeedRange, fan, modes};
 use bladefan_tests::blades::TestBlade;
 use bladefan_tests::random::{blade, part_of_cases};
 use proptest::prelude::*;
@@ -39,7 +39,7 @@ fn is_as_good_as_single_speeds(blade: &TestBlade, dof: Dof, softer: f64, range: 
         dofs: vec![dof],
         modes: MODES,
         speeds: Some(SpeedRange { from: 0.0, to, count: SPEEDS }),
-        ..Settings::default()
+        ..Settings::of(ModelKind::Uncoupled)
     };
     let chart = fan(&checked, &settings).unwrap();
     let of_chart = warned(&chart.warnings, dof);

@@ -17,7 +17,7 @@ fn cases() -> u64 {
 }
 
 fn settings(speed: f64, rotary: bool) -> Settings {
-    Settings { speed: Some(speed), model: ModelKind::Coupled, rotary, ..Settings::default() }
+    Settings { speed: Some(speed), rotary, ..Settings::of(ModelKind::Coupled) }
 }
 
 /// Random blades with every root, option and offset: λ to 1e-8, no interval that the exact count contradicts, and

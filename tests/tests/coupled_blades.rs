@@ -15,7 +15,7 @@ fn blade(name: &str) -> Blade {
 }
 
 fn settings(count: usize) -> Settings {
-    Settings { model: ModelKind::Coupled, coupled_modes: count, ..Settings::default() }
+    Settings { coupled_modes: count, ..Settings::of(ModelKind::Coupled) }
 }
 
 fn solved(name: &str, settings: &Settings) -> CoupledModesReport {

@@ -5,7 +5,7 @@ use allocation_counter::measure;
 use bladefan_core::Blade;
 use bladefan_core::formats::{Format, read};
 use bladefan_core::library;
-use bladefan_core::{Settings, SpeedRange, fan};
+use bladefan_core::{ModelKind, Settings, SpeedRange, fan};
 use core::hint::black_box;
 
 fn built_in(name: &str) -> Blade {
@@ -16,7 +16,7 @@ fn built_in(name: &str) -> Blade {
 fn memory(blade: &Blade, count: usize) -> u64 {
     let settings = Settings {
         speeds: Some(SpeedRange { from: 0.0, to: 1.2 * blade.nominal_speed(), count }),
-        ..Settings::default()
+        ..Settings::of(ModelKind::Uncoupled)
     };
     measure(|| drop(black_box(fan(blade, &settings).unwrap()))).bytes_max
 }

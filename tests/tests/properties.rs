@@ -6,7 +6,7 @@ use bladefan_core::Dof;
 use bladefan_core::FaultCode;
 use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, SpeedUnit, Units};
 use bladefan_core::{BladeDefinition, Property, PropertyDefinition, check};
-use bladefan_core::{Settings, ShapeScale, SpeedRange, converge, fan, modes, shapes};
+use bladefan_core::{ModelKind, Settings, ShapeScale, SpeedRange, converge, fan, modes, shapes};
 use bladefan_tests::blades::{End, Hold, Table, TestBlade};
 use bladefan_tests::random::{GRID, blade, cases, dof, step_at};
 use bladefan_tests::solve::{frequencies, settings, solve};
@@ -139,7 +139,7 @@ proptest! {
     fn crossings_lie_on_ray_and_branch(blade in blade()) {
         let checked = blade.blade();
         let range = SpeedRange { from: 0.0, to: 1.5 * blade.nominal_speed, count: 31 };
-        let settings = Settings { basis: BasisFamily::Classical, speeds: Some(range), modes: 3, ..Settings::default() };
+        let settings = Settings { basis: BasisFamily::Classical, speeds: Some(range), modes: 3, ..Settings::of(ModelKind::Uncoupled) };
         let chart = fan(&checked, &settings).unwrap();
         for crossing in &chart.crossings {
             let ray = f64::from(crossing.harmonic) * crossing.speed_rad_s;
@@ -290,7 +290,7 @@ powers in prop::array::uniform5(-12.0..12.0_f64),
             harmonics,
             up_to: 10,
             points: 33,
-            ..Settings::default()
+            ..Settings::of(ModelKind::Uncoupled)
         };
         let chart = fan(&checked, &settings).unwrap();
         prop_assert_eq!(chart.branches.len(), 15);

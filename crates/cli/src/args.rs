@@ -181,7 +181,7 @@ pub(crate) struct ModesArgs {
 #[derive(Debug, Args)]
 struct ModelArgs {
     /// uncoupled: flap, lag and torsion each on its own; coupled: with twist, pitch, precone and offsets, 12 modes
-    /// of the whole blade [default: uncoupled]
+    /// of the whole blade; auto: coupled where the blade has any of these [default: auto]
     #[arg(long, value_name = "MODEL")]
     model: Option<String>,
     /// Collective pitch of the coupled model, like 8deg, nose up [default: the blade's]
@@ -272,6 +272,8 @@ pub(crate) struct ConvergeArgs {
     // Taken, as by every command; but a convergence study has both families anyway.
     #[arg(long, value_name = "FAMILY", allow_hyphen_values = true, hide = true)]
     basis: Option<String>,
+    #[command(flatten)]
+    model: ModelArgs,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     #[command(flatten)]

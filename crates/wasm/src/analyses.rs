@@ -24,12 +24,12 @@ fn either<U: Serialize, C: Serialize>(
     coupled: fn(&Blade, &Settings) -> Result<C, Faults>,
 ) -> Answer {
     let answer = |blade: &Blade, settings: &Settings| {
-        Ok(match settings.model {
+        Ok(match settings.model_for(blade) {
             ModelKind::Uncoupled => Either::Uncoupled(uncoupled(blade, settings)?),
             ModelKind::Coupled => Either::Coupled(coupled(blade, settings)?),
         })
     };
-    solve_in(|settings: &Settings| settings.model, blade, options::settings(options, analysis), answer)
+    solve_in(Settings::model_for, blade, options::settings(options, analysis), answer)
 }
 
 /// Frequencies of every degree of freedom at one rotor speed.
@@ -60,7 +60,7 @@ pub fn fan(
     #[wasm_bindgen(unchecked_optional_param_type = "FanOptions")] options: &JsValue,
 ) -> Answer {
     let settings = options::settings(options, Analysis::Fan);
-    solve_in(|settings: &Settings| settings.model, blade, settings, bladefan_core::fan)
+    solve_in(Settings::model_for, blade, settings, bladefan_core::fan)
 }
 
 /// Mode shapes along the span at one rotor speed.
@@ -92,7 +92,7 @@ pub fn compare(
     let points = string(csv, "csv").and_then(|text| formats::measured::read(&text));
     let given = Faults::both(points, options::settings(options, Analysis::Compare));
     solve_in(
-        |(_, settings): &(_, Settings)| settings.model,
+        |(_, settings): &(_, Settings), blade| settings.model_for(blade),
         blade,
         given,
         |blade, (points, settings)| bladefan_core::compare(blade, points, settings),

@@ -48,13 +48,13 @@ pub fn chart_svg(
     };
     let given = options::settings_and_looks(options, analysis);
     solve_in(
-        |(settings, _): &(Settings, _)| settings.model,
+        |(settings, _): &(Settings, _), blade| settings.model_for(blade),
         blade,
         given,
         |blade, (settings, looks)| {
             let looks = looks.chart_options(settings);
             Ok(match analysis {
-                Analysis::Shapes if settings.model == ModelKind::Coupled => {
+                Analysis::Shapes if settings.model_for(blade) == ModelKind::Coupled => {
                     let report = bladefan_core::coupled_shapes(blade, settings)?;
                     Drawn::new(chart::coupled_shapes(&report, &looks), Report::CoupledShapes(report))
                 }

@@ -46,14 +46,14 @@ fn solve<S, R: Serialize>(
 
 /// The same where the settings choose a model, which has warnings of its own.
 fn solve_in<S, R: Serialize>(
-    model: impl Fn(&S) -> ModelKind,
+    model: impl Fn(&S, &Blade) -> ModelKind,
     blade: &JsValue,
     settings: Result<S, Faults>,
     solve: impl FnOnce(&Blade, &S) -> Result<R, Faults>,
 ) -> Answer {
     reply(Faults::both(read_blade(blade), settings).and_then(|(file, settings)| {
         let result = solve(&file.blade, &settings)?;
-        let warnings = match model(&settings) {
+        let warnings = match model(&settings, &file.blade) {
             ModelKind::Uncoupled => bladefan_core::warnings(&file.blade),
             ModelKind::Coupled => file.blade.warnings().to_vec(),
         };

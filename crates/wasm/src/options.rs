@@ -21,7 +21,7 @@ pub(crate) enum Analysis {
     Compare,
 }
 
-/// Options of the model, of all but convergence studies.
+/// Options of the model, of every analysis.
 const MODEL: &[&str] = &["model", "pitch", "precone", "trapeze", "rotary", "propeller_moment"];
 
 impl Analysis {
@@ -55,7 +55,7 @@ impl Analysis {
 
     /// Whether the analysis has this option.
     fn has(self, name: &str) -> bool {
-        self.options().contains(&name) || (self != Self::Converge && MODEL.contains(&name))
+        self.options().contains(&name) || MODEL.contains(&name)
     }
 }
 

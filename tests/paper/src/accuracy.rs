@@ -15,7 +15,7 @@ pub(super) fn tables(cli: &Cli, output: &mut Output) {
         ("hingeless-1000", "hingeless-1000 (estimated)"),
     ] {
         for functions in [15, 60, 120] {
-            let report = cli.json(&format!("modes {blade} --functions {functions}"));
+            let report = cli.json(&format!("modes {blade} --model uncoupled --functions {functions}"));
             let mut row = vec![name.to_string(), functions.to_string()];
             row.extend(LABELS.map(|label| {
                 let mode = labelled(&report["modes"], label);
@@ -28,7 +28,7 @@ pub(super) fn tables(cli: &Cli, output: &mut Output) {
     head.extend(cells(&LABELS));
     output.part("functions too few", table(&head, &rows));
 
-    let report = cli.json("modes hingeless-1000 --basis classical");
+    let report = cli.json("modes hingeless-1000 --model uncoupled --basis classical");
     let labels = &LABELS[..7];
     let line = |name: &str, value: &dyn Fn(&serde_json::Value) -> String| {
         let mut row = vec![name.to_string()];

@@ -36,7 +36,7 @@ pub(super) fn figure_9(cli: &Cli, output: &mut Output) {
     }
     let file = cli.file("fig-9-points.csv", &points);
     output.files.insert(POINTS.into(), points);
-    let command = format!("fan tm4760 --speeds 0:70:71 --measured {file}");
+    let command = format!("fan tm4760 --model uncoupled --speeds 0:70:71 --measured {file}");
     let (converged, mut part) = chart(cli, output, "fig-9", &command);
     let by_count =
         [10, 15, 30, 60].map(|count| (count, cli.json(&format!("{command} --basis classical --functions {count}"))));
@@ -96,9 +96,9 @@ const FIGURE_11: [(&str, f64, f64); 5] =
     [("1F", 105.0, 210.0), ("1L", 105.0, 210.0), ("1T", 200.0, 300.0), ("2F", 315.0, 420.0), ("3F", 735.0, 800.0)];
 
 pub(super) fn figure_11(cli: &Cli, output: &mut Output) {
-    let command = "fan hingeless-1000 --speeds 0:105:106 --harmonics 8 --modes 3";
+    let command = "fan hingeless-1000 --model uncoupled --speeds 0:105:106 --harmonics 8 --modes 3";
     let (_, mut part) = chart(cli, output, "fig-11", command);
-    let at = |speed: &str| cli.json(&format!("modes hingeless-1000 --speed {speed} --modes 3"));
+    let at = |speed: &str| cli.json(&format!("modes hingeless-1000 --model uncoupled --speed {speed} --modes 3"));
     let (rest, nominal) = (at("0"), at("105"));
     let head = cells(&[
         "mode",
@@ -132,8 +132,8 @@ const BO105: [(&str, f64, f64); 6] =
     [("1L", 0.66, 0.70), ("1F", 1.12, 1.12), ("2F", 2.75, 2.75), ("1T", 3.4, 3.7), ("2L", 4.3, 4.6), ("3F", 5.0, 5.2)];
 
 pub(super) fn figure_16(cli: &Cli, output: &mut Output) {
-    let (_, a) = chart(cli, output, "fig-16a", "fan bo105 --speeds 0:50:101 --harmonics 8 --modes 4");
-    let report = cli.json("modes bo105 --speed 44.4 --modes 4");
+    let (_, a) = chart(cli, output, "fig-16a", "fan bo105 --model uncoupled --speeds 0:50:101 --harmonics 8 --modes 4");
+    let report = cli.json("modes bo105 --model uncoupled --speed 44.4 --modes 4");
     let rows = BO105.map(|(label, low, high)| {
         let value = number(&labelled(&report["modes"], label)["per_rev"]);
         let off = if value < low {
@@ -152,9 +152,9 @@ pub(super) fn figure_16(cli: &Cli, output: &mut Output) {
         ]
     });
     let text_a = a + &table(&cells(&["mode", "known [/rev]", "the estimated file", "difference"]), &rows);
-    let (_, b) = chart(cli, output, "fig-16b", "fan sa330 --speeds 0:30:61 --harmonics 10");
+    let (_, b) = chart(cli, output, "fig-16b", "fan sa330 --model uncoupled --speeds 0:30:61 --harmonics 10");
     let case = Case::read(include_str!("../../cases/sa330-finite-elements.toml"));
-    let report = cli.json("modes sa330 --speed 27");
+    let report = cli.json("modes sa330 --model uncoupled --speed 27");
     let row = |(label, reference): (&String, &f64)| {
         let mode = labelled(&report["modes"], label);
         let converged = number(&mode["converged_rad_s"]);

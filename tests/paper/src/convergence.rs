@@ -20,7 +20,7 @@ pub(super) fn figures_6_and_7(cli: &Cli, output: &mut Output) {
         {
             let command = |count: &str, modes: usize| {
                 format!(
-                    "modes {blade} --speed {speed} --basis classical --functions {count} --modes {modes} --dof {dof}"
+                    "modes {blade} --model uncoupled --speed {speed} --basis classical --functions {count} --modes {modes} --dof {dof}"
                 )
             };
             let solved = |count: usize| cli.json(&command(&count.to_string(), MODES.min(count)));
@@ -35,7 +35,7 @@ pub(super) fn figures_6_and_7(cli: &Cli, output: &mut Output) {
                 command("N", MODES)
             );
         }
-        let command = format!("converge {blade} --speed {speed} --up-to {LAST} --modes {MODES}");
+        let command = format!("converge {blade} --model uncoupled --speed {speed} --up-to {LAST} --modes {MODES}");
         part += "The same as errors, with the piecewise functions:\n\n";
         part += &output.draw(
             cli,
@@ -44,7 +44,8 @@ pub(super) fn figures_6_and_7(cli: &Cli, output: &mut Output) {
             &command,
         );
         part += &format!("\n`bladefan {command}`\n\n");
-        let report = cli.json(&format!("converge {blade} --speed {speed} --up-to 60 --modes {MODES}"));
+        let report =
+            cli.json(&format!("converge {blade} --model uncoupled --speed {speed} --up-to 60 --modes {MODES}"));
         let mut head = cells(&["mode", "converged [/rev]", "± [/rev]"]);
         head.extend(COUNTS.map(|count| format!("N = {count}")));
         let rows: Vec<Vec<String>> =

@@ -13,7 +13,7 @@ const ROUNDING: f64 = 1e-12;
 pub(super) fn figures(cli: &Cli, output: &mut Output) {
     let mut rows = Vec::new();
     for (figure, blade, speed) in FIGURES {
-        let command = format!("shapes {blade} --speed {speed} --modes 4");
+        let command = format!("shapes {blade} --model uncoupled --speed {speed} --modes 4");
         let name = format!("fig-{figure}");
         let image = output.draw(cli, &name, &format!("Mode shapes of {blade} at {speed}"), &command);
         let link = output.csv(&name, cli.csv(&command));
@@ -42,7 +42,7 @@ fn change(cli: &Cli) -> String {
     let changes = |basis: &str| -> Vec<(String, f64)> {
         let [rest, turning] = ["0", "105"].map(|speed| {
             cli.json(&format!(
-                "shapes hingeless-1000 --speed {speed} --dof flap --modes 3 --points 201 --basis {basis}"
+                "shapes hingeless-1000 --model uncoupled --speed {speed} --dof flap --modes 3 --points 201 --basis {basis}"
             ))
         });
         let displacement = |shape: &Value| list(&shape["displacement"]).iter().map(number).collect::<Vec<f64>>();

@@ -70,7 +70,7 @@ pub(super) fn figures_4_and_5(cli: &Cli, output: &mut Output) {
     let mut images = String::new();
     for panel in PANELS {
         let command = format!(
-            "converge tests/cases/blades/{}.toml --speed 0 --basis classical --dof {} --modes {MODES} --up-to {MOST}",
+            "converge tests/cases/blades/{}.toml --model uncoupled --speed 0 --basis classical --dof {} --modes {MODES} --up-to {MOST}",
             panel.blade, panel.dof
         );
         let report = cli.json(&command);

@@ -75,10 +75,10 @@ impl ModelArgs {
     }
 
     /// The options given that the model has no use for.
-    fn idle(&self, settings: &Settings) -> Vec<Warning> {
+    fn idle(&self, model: ModelKind) -> Vec<Warning> {
         let given = self.coupled_only().into_iter().filter(|(_, text)| text.is_some());
-        let idle = given.filter(|_| settings.model != ModelKind::Coupled);
-        idle.map(|(name, _)| does_nothing(&name.replace('_', "-"), "acts with --model coupled only")).collect()
+        let idle = given.filter(|_| model != ModelKind::Coupled);
+        idle.map(|(name, _)| does_nothing(&name.replace('_', "-"), "acts in the coupled model only")).collect()
     }
 }
 
@@ -92,8 +92,8 @@ impl ModesArgs {
     }
 
     /// The options given that nothing of the result shows.
-    pub(crate) fn idle(&self, settings: &Settings) -> Vec<Warning> {
-        self.model.idle(settings)
+    pub(crate) fn idle(&self, model: ModelKind) -> Vec<Warning> {
+        self.model.idle(model)
     }
 }
 
@@ -112,7 +112,7 @@ impl FanArgs {
     }
 
     /// The options given that nothing of the result shows.
-    pub(crate) fn idle(&self, settings: &Settings) -> Vec<Warning> {
+    pub(crate) fn idle(&self, settings: &Settings, model: ModelKind) -> Vec<Warning> {
         let branches_only = self.result.format == Format::Csv && !self.drawing.any();
         let no_band = self.result.format != Format::Table && !self.drawing.any();
         let cases = [
@@ -121,7 +121,7 @@ impl FanArgs {
             (no_band && self.band.is_some(), "band", "is in the table and drawings only"),
         ];
         let shown = cases.into_iter().filter(|(idle, ..)| *idle).map(|(_, option, why)| does_nothing(option, why));
-        self.family.idle(settings).into_iter().chain(self.model.idle(settings)).chain(shown).collect()
+        self.family.idle(settings).into_iter().chain(self.model.idle(model)).chain(shown).collect()
     }
 }
 
@@ -135,8 +135,8 @@ impl ShapesArgs {
     }
 
     /// The options given that nothing of the result shows.
-    pub(crate) fn idle(&self, settings: &Settings) -> Vec<Warning> {
-        self.family.idle(settings).into_iter().chain(self.model.idle(settings)).collect()
+    pub(crate) fn idle(&self, settings: &Settings, model: ModelKind) -> Vec<Warning> {
+        self.family.idle(settings).into_iter().chain(self.model.idle(model)).collect()
     }
 }
 
@@ -144,28 +144,33 @@ impl ConvergeArgs {
     pub(crate) fn settings(&self) -> Result<Settings, Failure> {
         let mut given = vec![("speed", &self.speed.speed), ("up_to", &self.up_to), ("basis", &self.basis)];
         given.extend(self.solver.given());
+        given.extend(self.model.given());
         let settings = set(given)?;
         checked(settings.check_converge()).map(|()| settings)
     }
 
     /// The options given that nothing of the result shows.
-    pub(crate) fn idle(&self) -> Vec<Warning> {
-        self.basis.iter().map(|_| does_nothing("basis", "a convergence study has both families")).collect()
+    pub(crate) fn idle(&self, model: ModelKind) -> Vec<Warning> {
+        let both = self.basis.iter().map(|_| does_nothing("basis", "a convergence study has both families"));
+        both.chain(self.model.idle(model)).collect()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::{Cli, Command};
+    use bladefan_core::ModelKind;
     use clap::Parser;
 
     /// What is said of options that do nothing in `bladefan fan uniform …`.
     fn idle(options: &str) -> Vec<String> {
         let line = format!("bladefan fan uniform {options}");
         match Cli::try_parse_from(line.split_whitespace()).unwrap().command {
-            Command::Fan(args) => {
-                args.idle(&args.settings().unwrap().0).into_iter().map(|warning| warning.path).collect()
-            }
+            Command::Fan(args) => args
+                .idle(&args.settings().unwrap().0, ModelKind::Uncoupled)
+                .into_iter()
+                .map(|warning| warning.path)
+                .collect(),
             other => panic!("{other:?}"),
         }
     }

@@ -25,7 +25,7 @@ pub(super) fn run(args: &ConvergeArgs) -> Result<Output, Failure> {
     let input = input::load(&args.blade.blade)?;
     output::check(&[input.path.as_ref()], &args.result, Some(&args.drawing))?;
     let report = input.ask("solving", |blade| bladefan_core::converge(blade, &settings))?;
-    warn(&args.idle());
+    warn(&args.idle(settings.model_for(input.blade())));
     warn(&report.warnings);
     let text = match args.result.format {
         Format::Table => table(&report, output::width(&args.result)),
@@ -44,7 +44,13 @@ pub(super) fn run(args: &ConvergeArgs) -> Result<Output, Failure> {
 fn table(report: &ConvergeReport, width: usize) -> String {
     let most = report.functions.last().copied().unwrap_or(1);
     let functions = format!("classical functions, N = 1 to {most}; piecewise functions until converged");
-    let mut text = heading(&report.blade, &format!("convergence at {}", speed(report.speed_rad_s)), &functions, width);
+    let mut text = heading(
+        &report.blade,
+        &format!("convergence at {}", speed(report.speed_rad_s)),
+        &functions,
+        &report.model.words,
+        width,
+    );
     text += &frequencies(report, PAPER_FUNCTIONS.min(most)).render(width);
     text += &advice(BasisFamily::Piecewise, report.series.iter().map(bounded), width);
     let mut section = |title: &str, table: &Table| {

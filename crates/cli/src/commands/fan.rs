@@ -6,17 +6,16 @@ use crate::io::messages::warn;
 use crate::io::output::{self, Output};
 use crate::io::{input, measured};
 use crate::render::columns::{MARGIN_COLUMNS, MODE_COLUMNS, margin_cells, pick};
-use crate::render::heading::{basis, heading_of, speed};
+use crate::render::heading::{basis, heading, speed};
 use crate::render::table::{Align, Cell, Table};
 use crate::render::text::wrap;
 use crate::render::{csv, json, picture};
 use bladefan_core::Dof;
 use bladefan_core::Label;
-use bladefan_core::MODEL;
 use bladefan_core::Settings;
 use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::figures::{short, significant};
-use bladefan_core::report::{Coincidence, ComparedPoint, FanChart, ModelReport};
+use bladefan_core::report::{Coincidence, ComparedPoint, FanChart};
 use bladefan_core::units::{hz, rpm};
 use core::fmt::Write as _;
 use serde::Serialize;
@@ -39,7 +38,7 @@ pub(super) fn run(args: &FanArgs) -> Result<Output, Failure> {
     output::check(&[input.path.as_ref(), args.measured.as_ref()], &args.result, Some(&args.drawing))?;
     let points = args.measured.as_deref().map(measured::read).transpose()?;
     let chart = input.ask("solving", |blade| bladefan_core::fan(blade, &settings))?;
-    warn(&args.idle(&settings));
+    warn(&args.idle(&settings, settings.model_for(input.blade())));
     warn(&chart.warnings);
     let compare = |points: &Vec<_>| input.ask("comparing", |blade| bladefan_core::compare(blade, points, &settings));
     // CSV holds the branches alone.
@@ -68,8 +67,7 @@ fn table(chart: &FanChart, settings: &Settings, compared: Option<&[ComparedPoint
     let from = chart.speeds_rad_s.first().copied().unwrap_or_default();
     let to = chart.speeds_rad_s.last().copied().unwrap_or_default();
     let title = format!("{} speeds from {} to {}", chart.speeds_rad_s.len(), short(from, 4), speed(to));
-    let model = chart.model.as_ref().map_or_else(|| String::from(MODEL), ModelReport::words);
-    let mut text = heading_of(&chart.blade, &title, &basis(&chart.basis), &model, width);
+    let mut text = heading(&chart.blade, &title, &basis(&chart.basis), &chart.model.words, width);
     let mut section = |title: &str, table: &Table| {
         if !table.is_empty() {
             let _ = writeln!(text, "{}\n{}", wrap(title, 0, width), table.render(width));
@@ -113,8 +111,8 @@ fn branches(chart: &FanChart) -> Table {
 fn margins(chart: &FanChart) -> Table {
     let southwell = [("Southwell k0\n[rad²/s²]", Align::Point), ("k1", Align::Point)];
     let mut table = Table::new(MODE_COLUMNS.into_iter().chain(MARGIN_COLUMNS).chain(southwell));
-    for branch in &chart.branches {
-        let margin = chart.nominal.margins.iter().find(|margin| margin.label == branch.label);
+    for (index, branch) in chart.branches.iter().enumerate() {
+        let margin = chart.nominal.margins.iter().find(|margin| margin.branch == Some(index));
         let frequency = margin.map(|margin| margin.per_rev * chart.nominal.speed_rad_s);
         let [nearest, distance] = margin_cells(margin);
         table.row([
@@ -135,13 +133,13 @@ fn margins(chart: &FanChart) -> Table {
 fn all(chart: &FanChart, settings: &Settings) -> Table {
     let rays = (1..=chart.harmonics).map(|harmonic| (format!("{harmonic}P"), Align::Point));
     let mut table = Table::new(core::iter::once((String::from("mode"), Align::Left)).chain(rays));
-    for branch in &chart.branches {
+    for (index, branch) in chart.branches.iter().enumerate() {
         let cell = |harmonic: u32| {
-            let on_ray = |on: &Coincidence| on.label == branch.label && on.harmonic == harmonic;
+            let on_ray = |on: &Coincidence| on.branch == index && on.harmonic == harmonic;
             if chart.coincident.iter().any(on_ray) {
                 return "all".into();
             }
-            let here = chart.crossings.iter().filter(|at| at.label == branch.label && at.harmonic == harmonic);
+            let here = chart.crossings.iter().filter(|at| at.branch == index && at.harmonic == harmonic);
             let speeds: Vec<String> = here
                 .map(|at| {
                     let mark = if chart.in_band(at.speed_rad_s, settings.band) { "*" } else { "" };
@@ -172,7 +170,7 @@ fn near(chart: &FanChart, settings: &Settings) -> Table {
     ]);
     for at in chart.crossings_in(settings.band) {
         table.row([
-            Cell::label(&at.label, dof(chart, at.label)),
+            Cell::label(&at.label, Some(at.label.dof)),
             Cell::text(format!("{}P", at.harmonic)),
             Cell::number(rpm(at.speed_rad_s), 5),
             Cell::number(at.speed_rad_s, 5),

@@ -7,7 +7,7 @@ use crate::io::messages::warn;
 use crate::io::output::{self, Output};
 use crate::render::accuracy::{Bounded, advice, bounds_cell, difference, difference_cell, percent};
 use crate::render::columns::{MARGIN_COLUMNS, MODE_COLUMNS, margin_cells, own};
-use crate::render::heading::{basis, heading, heading_of, speed};
+use crate::render::heading::{basis, heading, speed};
 use crate::render::table::{Align, Cell, Table};
 use crate::render::{csv, json};
 use bladefan_core::report::{CoupledModeReport, CoupledModesReport, ModeReport, ModesReport};
@@ -18,7 +18,8 @@ pub(super) fn run(args: &ModesArgs) -> Result<Output, Failure> {
     let input = input::load(&args.blade.blade)?;
     output::check(&[input.path.as_ref()], &args.result, None)?;
     let width = output::width(&args.result);
-    let (text, warnings) = match settings.model {
+    let model = settings.model_for(input.blade());
+    let (text, warnings) = match model {
         ModelKind::Uncoupled => {
             let report = input.ask("solving", |blade| bladefan_core::modes(blade, &settings))?;
             let text = match args.result.format {
@@ -38,7 +39,7 @@ pub(super) fn run(args: &ModesArgs) -> Result<Output, Failure> {
             (text, report.warnings)
         }
     };
-    warn(&args.idle(&settings));
+    warn(&args.idle(model));
     warn(&warnings);
     Ok(Output::new(text, &args.result))
 }
@@ -68,8 +69,7 @@ fn coupled_table(report: &CoupledModesReport, width: usize) -> String {
             mode.margin_per_rev.map_or_else(|| Cell::text("-"), |margin| Cell::signed(margin, 3)),
         ]);
     }
-    let basis = format!("{} piecewise functions", report.functions);
-    let heading = heading_of(&report.blade, &speed(report.speed_rad_s), &basis, &report.model.words(), width);
+    let heading = heading(&report.blade, &speed(report.speed_rad_s), &basis(&report.basis), &report.model.words, width);
     heading + &table.render(width)
 }
 
@@ -102,6 +102,6 @@ fn table(report: &ModesReport, functions: usize, width: usize) -> String {
             distance,
         ]);
     }
-    let heading = heading(&report.blade, &speed(report.speed_rad_s), &basis(&report.basis), width);
+    let heading = heading(&report.blade, &speed(report.speed_rad_s), &basis(&report.basis), &report.model.words, width);
     heading + &table.render(width) + &advice(family, report.modes.iter().map(bounded), width)
 }

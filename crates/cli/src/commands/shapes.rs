@@ -6,7 +6,7 @@ use crate::io::input;
 use crate::io::messages::warn;
 use crate::io::output::{self, Output};
 use crate::render::columns::pick;
-use crate::render::heading::{basis, heading, heading_of, speed};
+use crate::render::heading::{basis, heading, speed};
 use crate::render::table::{Align, Cell, Table};
 use crate::render::{csv, json, picture};
 use bladefan_core::Dof;
@@ -23,8 +23,9 @@ pub(super) fn run(args: &ShapesArgs) -> Result<Output, Failure> {
     let settings = args.settings()?;
     let input = input::load(&args.blade.blade)?;
     output::check(&[input.path.as_ref()], &args.result, Some(&args.drawing))?;
-    warn(&args.idle(&settings));
-    if settings.model == ModelKind::Coupled {
+    let model = settings.model_for(input.blade());
+    warn(&args.idle(&settings, model));
+    if model == ModelKind::Coupled {
         let report = input.ask("solving", |blade| bladefan_core::coupled_shapes(blade, &settings))?;
         warn(&report.warnings);
         let text = match args.result.format {
@@ -50,8 +51,7 @@ pub(super) fn run(args: &ShapesArgs) -> Result<Output, Failure> {
 /// One table per mode: a row for each of some radii, a column for each motion.
 fn coupled_table(report: &CoupledShapesReport, width: usize) -> String {
     let title = format!("mode shapes at {}", speed(report.speed_rad_s));
-    let basis = format!("{} piecewise functions", report.functions);
-    let mut text = heading_of(&report.blade, &title, &basis, &report.model.words(), width);
+    let mut text = heading(&report.blade, &title, &basis(&report.basis), &report.model.words, width);
     text.push_str(
         "Flap out of the disc plane, lag in it; the largest of the leading motion is 1 with --normalise max\n",
     );
@@ -76,7 +76,7 @@ fn coupled_table(report: &CoupledShapesReport, width: usize) -> String {
 /// One table per degree of freedom: a row for each of some radii, a column for each mode.
 fn table(report: &ShapesReport, settings: &Settings, width: usize) -> String {
     let title = format!("mode shapes at {}", speed(report.speed_rad_s));
-    let mut text = heading(&report.blade, &title, &basis(&report.basis), width);
+    let mut text = heading(&report.blade, &title, &basis(&report.basis), &report.model.words, width);
     text.push_str(match settings.normalise {
         ShapeScale::Max => "Displacement, 1 where it is largest\n\n",
         ShapeScale::Mass => "Displacement, scaled by mass (the paper's Eq. 86-87)\n\n",

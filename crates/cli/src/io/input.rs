@@ -28,6 +28,11 @@ pub(crate) struct Input {
 }
 
 impl Input {
+    /// The blade.
+    pub(crate) fn blade(&self) -> &Blade {
+        &self.file.blade
+    }
+
     /// What `question` finds out about the blade, under a sign of life that says `what`.
     pub(crate) fn ask<T>(
         &self,

@@ -51,8 +51,13 @@ mod tests {
 
     #[test]
     fn margins_have_signs_and_there_is_none_at_rest() {
-        let margin =
-            Margin { label: Label::new(Dof::Flap, 2), per_rev: 2.689, nearest_harmonic: 3, margin_per_rev: -0.311 };
+        let margin = Margin {
+            label: Label::new(Dof::Flap, 2),
+            branch: None,
+            per_rev: 2.689,
+            nearest_harmonic: 3,
+            margin_per_rev: -0.311,
+        };
         let mut table = Table::new(MARGIN_COLUMNS);
         table.row(margin_cells(Some(&margin)));
         table.row(margin_cells(None));

@@ -2,19 +2,13 @@
 
 use super::text::wrap;
 use bladefan_core::BasisFamily;
-use bladefan_core::MODEL;
 use bladefan_core::figures::short;
 use bladefan_core::report::BasisReport;
 use bladefan_core::units;
 use unicode_width::UnicodeWidthStr;
 
-/// The lines above every table of the uncoupled model, an empty one last.
-pub(crate) fn heading(blade: &str, what: &str, basis: &str, width: usize) -> String {
-    heading_of(blade, what, basis, MODEL, width)
-}
-
-/// The lines above a table of a model, an empty one last.
-pub(crate) fn heading_of(blade: &str, what: &str, basis: &str, model: &str, width: usize) -> String {
+/// The lines above every table, an empty one last.
+pub(crate) fn heading(blade: &str, what: &str, basis: &str, model: &str, width: usize) -> String {
     let together = format!("{basis}; {model}");
     let model = if together.width() <= width { vec![together] } else { vec![String::from(basis), String::from(model)] };
     let lines = core::iter::once(format!("{blade}, {what}")).chain(model);
@@ -47,16 +41,16 @@ mod tests {
 
     #[test]
     fn functions_and_model_share_a_line_where_there_is_room() {
-        let one = heading("a", "b", "c", 100);
-        assert_eq!(one, format!("a, b\nc; {MODEL}\n\n"));
-        assert_eq!(heading("a", "b", "c", MODEL.width() + 2), format!("a, b\nc\n{MODEL}\n\n"));
-        let narrow = heading("a", "b", "c", 30);
+        let model = "uncoupled, in vacuum, zero pitch, with words";
+        assert_eq!(heading("a", "b", "c", model, 100), format!("a, b\nc; {model}\n\n"));
+        assert_eq!(heading("a", "b", "c", model, model.width() + 2), format!("a, b\nc\n{model}\n\n"));
+        let narrow = heading("a", "b", "c", model, 30);
         assert!(narrow.lines().all(|line| line.width() <= 30), "{narrow}");
     }
 
     #[test]
     fn names_cannot_forge_lines() {
-        assert!(heading("a\u{1b}[1A\nb", "c", "d", 100).starts_with("a\\u{1b}[1A b, c\n"), "one line");
+        assert!(heading("a\u{1b}[1A\nb", "c", "d", "e", 100).starts_with("a\\u{1b}[1A b, c\n"), "one line");
     }
 
     #[test]

@@ -271,19 +271,19 @@ fn a_reader_may_leave() {
 #[test]
 fn colours_are_for_terminals_only() {
     const ESCAPE: char = '\u{1b}';
-    let text = run(&["modes", "tm4760"]);
+    let text = run(&["modes", "tm4760", "--model", "uncoupled"]);
     assert!(!text.stdout.contains(ESCAPE) && !text.stderr.contains(ESCAPE), "{text:?}");
-    let mut command = program(&["modes", "tm4760"]);
+    let mut command = program(&["modes", "tm4760", "--model", "uncoupled"]);
     command.env("CLICOLOR_FORCE", "1");
     let coloured = finish(command);
     assert!(coloured.stdout.contains(ESCAPE) && coloured.stderr.contains(ESCAPE), "{coloured:?}");
-    let mut command = program(&["modes", "tm4760"]);
+    let mut command = program(&["modes", "tm4760", "--model", "uncoupled"]);
     command.env("CLICOLOR_FORCE", "1").env("NO_COLOR", "1");
     assert_eq!(finish(command).good(), text.stdout);
 
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.txt");
-    let mut command = program(&["modes", "tm4760", "--output", path.to_str().unwrap()]);
+    let mut command = program(&["modes", "tm4760", "--model", "uncoupled", "--output", path.to_str().unwrap()]);
     command.env("CLICOLOR_FORCE", "1");
     finish(command).good();
     assert_eq!(fs::read_to_string(path).unwrap(), text.stdout, "files have none");
@@ -291,7 +291,7 @@ fn colours_are_for_terminals_only() {
 
 #[test]
 fn warnings_go_to_standard_error() {
-    let text = run(&["modes", "sa330"]);
+    let text = run(&["modes", "sa330", "--model", "uncoupled"]);
     assert_eq!(text.code, Some(0));
     assert!(text.stderr.lines().count() >= 1, "{text:?}");
     assert!(text.stderr.lines().all(|line| line.starts_with("warning: distribution.")), "{text:?}");

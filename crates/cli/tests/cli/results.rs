@@ -2,8 +2,8 @@
 
 use super::{BUILT_IN, run, run_in, run_with, toml};
 use bladefan_core::Blade;
-use bladefan_core::Settings;
 use bladefan_core::formats::{self, Format};
+use bladefan_core::{ModelKind, Settings};
 use serde_json::Value;
 use std::fs;
 
@@ -38,7 +38,8 @@ fn tables_are_as_wide_as_a_terminal_and_say_what_the_model_is() {
                 assert!(line.chars().count() <= 100, "{command} {name}: {line}");
                 assert!(line.trim_end() == line, "{command} {name}: idle space in {line:?}");
             }
-            assert_eq!(table.contains(bladefan_core::MODEL), command != "check", "{command} {name}: {table}");
+            let words = table.lines().any(|line| line.contains("coupled, in vacuum, "));
+            assert_eq!(words, command != "check", "{command} {name}: {table}");
             assert!(!table.contains("NaN") && !table.contains("-0.0000 "), "{command} {name}: {table}");
         }
     }
@@ -53,12 +54,21 @@ fn json_reads_back_to_the_same_numbers() {
         let json: Value = serde_json::from_str(json).unwrap();
         assert_eq!(json, serde_json::to_value(expected).unwrap(), "{what}");
     }
-    let settings = Settings::default();
-    for name in BUILT_IN {
+    for (name, model) in BUILT_IN.into_iter().flat_map(|name| [(name, "uncoupled"), (name, "coupled")]) {
+        let mut settings = Settings::default();
+        settings.set("model", model).unwrap();
         let blade = blade(name);
-        let json = |command: &str| run(&[command, name, "--format", "json"]).good();
-        same(&json("modes"), &bladefan_core::modes(&blade, &settings).unwrap(), name);
+        let json = |command: &str| {
+            let chosen: &[&str] = if command == "check" { &[] } else { &["--model", model] };
+            run(&[&[command, name, "--format", "json"], chosen].concat()).good()
+        };
         same(&json("fan"), &bladefan_core::fan(&blade, &settings).unwrap(), name);
+        if model == "coupled" {
+            same(&json("modes"), &bladefan_core::coupled_modes(&blade, &settings).unwrap(), name);
+            same(&json("shapes"), &bladefan_core::coupled_shapes(&blade, &settings).unwrap(), name);
+            continue;
+        }
+        same(&json("modes"), &bladefan_core::modes(&blade, &settings).unwrap(), name);
         same(&json("shapes"), &bladefan_core::shapes(&blade, &settings).unwrap(), name);
         same(&json("converge"), &bladefan_core::converge(&blade, &settings).unwrap(), name);
         same(&json("check"), &bladefan_core::summary(&blade), name);
@@ -86,7 +96,8 @@ fn csv_has_the_same_numbers_under_headers_with_units() {
     for name in BUILT_IN {
         let blade = blade(name);
         let rows = |command: &str| {
-            let text = run(&[command, name, "--format", "csv"]).good();
+            let model: &[&str] = if command == "check" { &[] } else { &["--model", "uncoupled"] };
+            let text = run(&[&[command, name, "--format", "csv"], model].concat()).good();
             let mut reader = csv::Reader::from_reader(text.as_bytes());
             let header: Vec<String> = reader.headers().unwrap().iter().map(String::from).collect();
             let rows: Vec<Vec<String>> =
@@ -109,7 +120,7 @@ fn csv_has_the_same_numbers_under_headers_with_units() {
 
         let (header, fan) = rows("fan");
         assert_eq!((header[0].as_str(), header[1].as_str()), ("rotor speed [rad/s]", "1F [rad/s]"));
-        let chart = bladefan_core::fan(&blade, &Settings::default()).unwrap();
+        let chart = bladefan_core::fan(&blade, &Settings::of(ModelKind::Uncoupled)).unwrap();
         assert_eq!((fan.len(), header.len()), (chart.speeds_rad_s.len(), chart.branches.len() + 1));
         for (index, row) in fan.iter().enumerate() {
             for (cell, branch) in row[1..].iter().zip(&chart.branches) {
@@ -147,7 +158,7 @@ fn modes_at_rest_have_no_harmonic() {
     for key in ["per_rev", "nearest_harmonic", "margin_per_rev"] {
         assert_eq!(mode.get(key), Some(&Value::Null), "{key}");
     }
-    let csv = run(&["modes", "tm4760", "--speed", "0", "--format", "csv"]).good();
+    let csv = run(&["modes", "tm4760", "--model", "uncoupled", "--speed", "0", "--format", "csv"]).good();
     assert!(csv.lines().next().unwrap().ends_with("residual,nearest harmonic,margin [/rev]"), "{csv}");
     assert!(csv.lines().skip(1).all(|line| line.ends_with(",,")), "{csv}");
 }

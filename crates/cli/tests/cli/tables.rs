@@ -5,11 +5,17 @@ use super::run;
 
 #[test]
 fn tables_look_like_this() {
-    let cases: [(&[&str], &str); 6] = [
+    let cases: [(&[&str], &str); 9] = [
         (&["check", "tm4760"], include_str!("tables/check.txt")),
-        (&["modes", "tm4760"], include_str!("tables/modes.txt")),
-        (&["modes", "tm4760", "--basis", "classical", "--modes", "2"], include_str!("tables/classical.txt")),
-        (&["fan", "tm4760", "--modes", "3"], include_str!("tables/fan.txt")),
+        (&["modes", "tm4760", "--model", "uncoupled"], include_str!("tables/modes.txt")),
+        (
+            &["modes", "tm4760", "--model", "uncoupled", "--basis", "classical", "--modes", "2"],
+            include_str!("tables/classical.txt"),
+        ),
+        (&["fan", "tm4760", "--model", "uncoupled", "--modes", "3"], include_str!("tables/fan.txt")),
+        (&["modes", "twisted"], include_str!("tables/modes-coupled.txt")),
+        (&["fan", "twisted", "--modes", "6"], include_str!("tables/fan-coupled.txt")),
+        (&["shapes", "twisted", "--modes", "2"], include_str!("tables/shapes-coupled.txt")),
         (&["shapes", "uniform", "--dof", "flap"], include_str!("tables/shapes.txt")),
         (&["converge", "tm4760", "--modes", "2", "--up-to", "5"], include_str!("tables/converge.txt")),
     ];

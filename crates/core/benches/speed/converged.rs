@@ -7,7 +7,7 @@ use bladefan_core::Dof;
 use bladefan_core::formats::{Format, read};
 use bladefan_core::internals::GaussRules;
 use bladefan_core::internals::{Converged, Wanted, Work};
-use bladefan_core::{Settings, fan, modes};
+use bladefan_core::{ModelKind, Settings, fan, modes};
 use core::fmt::Write;
 use core::hint::black_box;
 
@@ -61,7 +61,7 @@ pub(crate) fn ratios(blade: &Blade) {
         one_by_one / chart
     );
     println!("One speed with bounds and the paper's values beside: {:.2} ms.", 1e3 * modes_time(blade));
-    let settings = Settings { modes: MODES, ..Settings::default() };
+    let settings = Settings { modes: MODES, ..Settings::of(ModelKind::Uncoupled) };
     let time = |stations: usize| {
         let blade = many_stations(stations);
         (

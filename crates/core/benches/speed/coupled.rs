@@ -5,7 +5,7 @@ use core::hint::black_box;
 use criterion::{BenchmarkId, Criterion};
 
 fn settings() -> Settings {
-    Settings { model: ModelKind::Coupled, ..Settings::default() }
+    Settings::of(ModelKind::Coupled)
 }
 
 /// One speed with proven bounds, and the chart of 101 speeds with bounds at each.

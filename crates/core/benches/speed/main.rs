@@ -19,7 +19,7 @@ use bladefan_core::internals::GaussRules;
 use bladefan_core::internals::solve;
 use bladefan_core::internals::{Energies, Fields, Grid, SystemMatrices, assemble, classical_functions};
 use bladefan_core::library;
-use bladefan_core::{Settings, fan, modes};
+use bladefan_core::{ModelKind, Settings, fan, modes};
 use core::hint::black_box;
 use core::time::Duration;
 use criterion::{BenchmarkId, Criterion};
@@ -62,7 +62,7 @@ fn one_speed_marched(matrices: &[SystemMatrices], speed: f64) -> Vec<f64> {
 
 /// The chart of the built-in default: 3 × 5 modes, 0 to 1.2 × nominal, 101 speeds.
 fn chart_settings(basis: BasisFamily) -> Settings {
-    Settings { modes: MODES, functions: FUNCTIONS, basis, ..Settings::default() }
+    Settings { modes: MODES, functions: FUNCTIONS, basis, ..Settings::of(ModelKind::Uncoupled) }
 }
 
 /// Least time of `runs` runs [s]: the one that other work on the machine disturbed least.

@@ -24,11 +24,12 @@ pub fn compare(blade: &Blade, points: &[MeasuredPoint], settings: &Settings) -> 
     }
     let rules = GaussRules::new();
     let mut computed = vec![None; points.len()];
-    if settings.model == ModelKind::Coupled {
+    let model = settings.model_for(blade);
+    if model == ModelKind::Coupled {
         let asked: Vec<(Label, f64)> = points.iter().map(|point| (point.label, point.speed_rad_s)).collect();
         computed = coupled_at(blade, &asked, settings)?;
     }
-    for dof in settings.ordered_dofs().filter(|_| settings.model == ModelKind::Uncoupled) {
+    for dof in settings.ordered_dofs().filter(|_| model == ModelKind::Uncoupled) {
         let branch = |point: &MeasuredPoint| {
             let Label { dof: own, number, .. } = point.label;
             (own == dof && number <= settings.modes).then(|| number.checked_sub(1))?
@@ -93,7 +94,7 @@ mod tests {
         for blade in library::ENTRIES.iter().map(|entry| built_in(entry.name)) {
             let nominal = blade.nominal_speed();
             for basis in [BasisFamily::Piecewise, BasisFamily::Classical] {
-                let settings = Settings { basis, ..Settings::default() };
+                let settings = Settings { basis, ..Settings::of(ModelKind::Uncoupled) };
                 let points: Vec<MeasuredPoint> = [0.0, 0.31, 0.77, 1.0, 1.29]
                     .into_iter()
                     .flat_map(|ratio| ["1F", "2L", "3T", "5F"].map(|label| point(label, ratio * nominal, nominal)))
@@ -109,7 +110,7 @@ mod tests {
     #[test]
     fn what_was_not_asked_for_has_no_answer() {
         let blade = built_in("uniform");
-        let settings = Settings { dofs: alloc::vec![Dof::Flap], modes: 2, ..Settings::default() };
+        let settings = Settings { dofs: alloc::vec![Dof::Flap], modes: 2, ..Settings::of(ModelKind::Uncoupled) };
         let points = [point("2F", 3.0, 0.0), point("3F", 3.0, 1.0), point("1T", 3.0, 1.0)];
         let compared = compare(&blade, &points, &settings).unwrap();
         assert!(compared[0].computed_rad_s.is_some() && compared[0].error_percent.is_none());
@@ -121,7 +122,8 @@ mod tests {
     fn a_speed_that_is_none_is_a_fault() {
         let blade = built_in("uniform");
         for speed in [-1.0, f64::NAN, f64::INFINITY] {
-            let faults = compare(&blade, &[point("1F", 3.0, 1.0), point("9T", speed, 1.0)], &Settings::default());
+            let faults =
+                compare(&blade, &[point("1F", 3.0, 1.0), point("9T", speed, 1.0)], &Settings::of(ModelKind::Uncoupled));
             assert_eq!(faults.unwrap_err()[0].path, "speed");
         }
     }

@@ -1,6 +1,7 @@
 //! Frequency against the number of assumed functions.
 
 use super::basis::{Basis, Classical, converged, separated, solve};
+use super::model::uncoupled;
 use super::{Settings, available, note, note_bounds, note_fewer, unsolvable, warnings};
 use crate::blade::Blade;
 use crate::converged::{Converged, TOLERANCE, Wanted, Work};
@@ -35,6 +36,7 @@ pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Fa
         schema: "bladefan-converge/1",
         blade: blade.name().to_string(),
         speed_rad_s: speed,
+        model: uncoupled(blade),
         functions: (1..=settings.up_to).collect(),
         series: Vec::new(),
         warnings: warnings(blade),

@@ -6,15 +6,17 @@ use crate::coupled::{self, CoupledBlade, CoupledMode, Impossible, Missing, Optio
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode, Faults, Warning};
 use crate::figures::short;
+use crate::functions::BasisFamily;
 use crate::label::Label;
 use crate::modes::SolveError;
 use crate::numerics::eigen::EigenError;
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::{is_above, maximum, sqrt};
-use crate::report::{CoupledModeReport, CoupledModesReport, ModelReport, Shares};
+use crate::report::{BasisReport, CoupledModeReport, CoupledModesReport, FunctionCounts, ModelReport, Shares};
 use crate::units;
 use alloc::format;
 use alloc::string::{String, ToString};
+use alloc::vec;
 use alloc::vec::Vec;
 
 /// A mode is mixed where no motion has this share.
@@ -48,7 +50,7 @@ pub fn coupled_modes(blade: &Blade, settings: &Settings) -> Result<CoupledModesR
         blade: blade.name().to_string(),
         speed_rad_s: speed,
         model,
-        functions: found.functions,
+        basis: BasisReport { family: BasisFamily::Piecewise, functions: FunctionCounts::of_all(found.functions) },
         modes,
         warnings,
     })
@@ -155,6 +157,11 @@ pub(super) fn model(blade: &Blade, settings: &Settings) -> Result<(CoupledBlade,
     };
     let coupled = CoupledBlade::new(blade, &options);
     possible(&coupled)?;
+    let unused = if blade.inertias_given() && blade.gives(Property::PolarInertia) {
+        vec!["distribution.polar_inertia".into()]
+    } else {
+        Vec::new()
+    };
     let model = ModelReport {
         kind: "coupled",
         pitch_rad: coupled.pitch,
@@ -165,9 +172,10 @@ pub(super) fn model(blade: &Blade, settings: &Settings) -> Result<(CoupledBlade,
         steady: false,
         cone: "held",
         propeller_moment: if settings.paper_moment { "paper" } else { "full" },
-        unused: Vec::new(),
+        unused,
+        words: String::new(),
     };
-    Ok((coupled, model, warnings))
+    Ok((coupled, model.worded(), warnings))
 }
 
 /// Refuses sections whose mass would have negative inertia about its own centre.
@@ -176,8 +184,9 @@ fn possible(blade: &CoupledBlade) -> Result<(), Faults> {
         let rule = "must be at least mass times mass_offset squared in the coupled model";
         let [from, to, r, own, least] =
             [found.stretch.0, found.stretch.1, found.r, found.inertia, found.least].map(|value| short(value, 4));
-        let message =
-            format!("inertia of the stretch r = {from} to {to} m {rule} (at r = {r} m it is {own} kg·m, not {least})");
+        let message = format!(
+            "inertia of the stretch r = {from} to {to} m {rule} (at r = {r} m it is {own} kg·m, not {least}); the uncoupled model takes it"
+        );
         Fault::new(FaultCode::OutOfRange, "distribution.polar_inertia", Some(own), rule, message)
     };
     Faults::from(blade.impossible().into_iter().map(fault).collect::<Vec<Fault>>()).none()

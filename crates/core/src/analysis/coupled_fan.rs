@@ -4,7 +4,6 @@ use super::coupled::{label, model, unsolvable};
 use super::{Settings, frequency, margin};
 use crate::blade::Blade;
 use crate::coupled::{Bounded, Range, RangeMode};
-use crate::dof::Dof;
 use crate::fan::{Branches, Meets, OnBranch, meet};
 use crate::fault::{Faults, Warning};
 use crate::functions::BasisFamily;
@@ -50,7 +49,7 @@ pub(super) fn coupled_fan(blade: &Blade, settings: &Settings) -> Result<FanChart
         blade: blade.name().to_string(),
         blades: blade.blades(),
         harmonics: settings.harmonics,
-        basis: BasisReport { family: BasisFamily::Piecewise, functions: FunctionCounts::default() },
+        basis: BasisReport { family: BasisFamily::Piecewise, functions: FunctionCounts::of_all(range.functions()) },
         speeds_rad_s: speeds,
         crossings: Vec::new(),
         coincident: Vec::new(),
@@ -58,11 +57,8 @@ pub(super) fn coupled_fan(blade: &Blade, settings: &Settings) -> Result<FanChart
         veerings: followed.veerings((drawn.from, drawn.to)),
         branches,
         warnings,
-        model: Some(model),
+        model,
     };
-    for (dof, count) in Dof::ALL.into_iter().zip(range.functions()) {
-        chart.basis.functions.set(dof, count);
-    }
     followed.meet_rays((drawn.from, drawn.to), &mut chart).map_err(unsolvable)?;
     Ok(chart)
 }
@@ -82,15 +78,31 @@ pub(super) fn coupled_at(
     let range =
         Range::new(&coupled, highest * highest, settings.coupled_modes, &GaussRules::new()).map_err(unsolvable)?;
     let at = |&(named, speed): &(Label, f64)| {
-        let mut numbers = [0; 3];
-        let modes = range.modes(speed * speed, settings.coupled_modes)?;
-        let found = modes.iter().find(|mode| {
-            let label = label(&mode.shares, &mut numbers);
-            label.dof == named.dof && label.number == named.number
-        });
-        Ok(found.map(|mode| frequency(mode.eigenvalue)))
+        let modes = called(&range, speed, settings.coupled_modes)?;
+        let found = modes.iter().find(|(_, label)| label.dof == named.dof && label.number == named.number);
+        let nothing = NOTHING * modes.last().map_or(0.0, |(mode, _)| mode.eigenvalue.abs());
+        Ok(found.and_then(|(mode, _)| shown(mode.eigenvalue, nothing)))
     };
     points.iter().map(at).collect::<Result<_, EigenError>>().map_err(unsolvable)
+}
+
+/// The lowest modes at a rotor speed and what they are called there.
+fn called(range: &Range, speed: f64, count: usize) -> Result<Vec<(RangeMode, Label)>, EigenError> {
+    let mut numbers = [0; 3];
+    let name = |mode: RangeMode| {
+        let label = label(&mode.shares, &mut numbers);
+        (mode, label)
+    };
+    Ok(range.modes(speed * speed, count)?.into_iter().map(name).collect())
+}
+
+/// ω of an eigenvalue that is 0 within `nothing`; `None` where unstable.
+fn shown(eigenvalue: f64, nothing: f64) -> Option<f64> {
+    match eigenvalue {
+        value if value < -nothing => None,
+        value if value <= nothing => Some(0.0),
+        value => Some(frequency(value)),
+    }
 }
 
 /// The branches of a coupled blade.
@@ -108,15 +120,7 @@ struct Followed<'a> {
 impl<'a> Followed<'a> {
     fn new(range: &'a Range, nominal: f64, highest: f64, settings: &Settings) -> Result<Self, EigenError> {
         let modes = settings.coupled_modes;
-        let called = |speed: f64| -> Result<Vec<(RangeMode, Label)>, EigenError> {
-            let mut numbers = [0; 3];
-            let found = range.modes(speed * speed, modes + BEYOND)?;
-            let name = |mode: RangeMode| {
-                let label = label(&mode.shares, &mut numbers);
-                (mode, label)
-            };
-            Ok(found.into_iter().map(name).collect())
-        };
+        let called = |speed: f64| called(range, speed, modes + BEYOND);
         let nodes = Branches::nodes(nominal, highest);
         let mut at_nodes: Vec<_> = nodes.iter().map(|speed| called(*speed)).collect::<Result<_, EigenError>>()?;
         // Motions that are rigid at rest have one eigenvalue there, 0, and are told apart as soon as it turns.
@@ -140,7 +144,11 @@ impl<'a> Followed<'a> {
     }
 
     fn margins(&self) -> Vec<Margin> {
-        self.shown.iter().map(|&(_, label, frequency)| margin(label, frequency / self.nominal)).collect()
+        let of = |(index, &(_, label, frequency)): (usize, &(usize, Label, f64))| Margin {
+            branch: Some(index),
+            ..margin(label, frequency / self.nominal)
+        };
+        self.shown.iter().enumerate().map(of).collect()
     }
 
     /// The branches at these rotor speeds, ascending, with their bounds.
@@ -155,17 +163,24 @@ impl<'a> Followed<'a> {
                 let position = positions[branch];
                 let value = values[position];
                 // Without a number where the blade is unstable: a gap in the chart.
-                out.frequency_rad_s.push(match value {
-                    value if value < -nothing => f64::NAN,
-                    value if value <= nothing => 0.0,
-                    value => frequency(value),
-                });
+                out.frequency_rad_s.push(shown(value, nothing).unwrap_or(f64::NAN));
                 let interval = bounds.as_ref().ok().filter(|_| position < self.modes).and_then(|all| all.get(position));
                 out.lower_rad_s.push(interval.filter(|_| value >= -nothing).map(|(lower, _)| frequency(*lower)));
                 out.upper_rad_s.push(interval.filter(|_| value >= -nothing).map(|(_, upper)| frequency(*upper)));
             }
         }
         Ok(all)
+    }
+
+    /// What a branch is called at a rotor speed: as at the nodes on either side, or by a solve where they differ.
+    fn label(&self, branch: usize, speed: f64) -> Result<Label, EigenError> {
+        let above = self.branches.nodes.partition_point(|node| *node < speed);
+        let near = above.saturating_sub(1)..(above + 1).min(self.branches.nodes.len());
+        let mut labels =
+            near.map(|node| self.at_nodes[node][self.branches.positions(self.branches.nodes[node])[branch]].1);
+        let first = labels.next().filter(|first| labels.all(|label| label == *first));
+        let solved = || Ok(called(self.range, speed, self.branches.count())?[self.branches.positions(speed)[branch]].1);
+        first.map_or_else(solved, Ok)
     }
 
     /// A branch without speeds: its labels along the range, at the nodes where they change, and how it starts.
@@ -237,20 +252,27 @@ impl<'a> Followed<'a> {
             }
         }
         add(to, &self.range.modes(to * to, self.branches.count())?);
-        for &(branch, label, _) in &self.shown {
+        for (index, &(branch, label, _)) in self.shown.iter().enumerate() {
             let known: Vec<OnBranch> = stations
                 .iter()
                 .map(|(speed, values)| OnBranch { speed: *speed, value: values[branch].0, slope: values[branch].1 })
                 .collect();
             let at = |speed: f64| Ok(self.range.eigenvalues(speed * speed)?[self.branches.positions(speed)[branch]]);
             let Meets { crossings, coincident } = meet(&known, chart.harmonics, at)?;
-            chart.crossings.extend(crossings.into_iter().map(|(harmonic, speed_rad_s)| Crossing {
+            for (harmonic, speed_rad_s) in crossings {
+                chart.crossings.push(Crossing {
+                    label: self.label(branch, speed_rad_s)?,
+                    branch: index,
+                    harmonic,
+                    speed_rad_s,
+                    frequency_rad_s: f64::from(harmonic) * speed_rad_s,
+                });
+            }
+            chart.coincident.extend(coincident.into_iter().map(|harmonic| Coincidence {
                 label,
+                branch: index,
                 harmonic,
-                speed_rad_s,
-                frequency_rad_s: f64::from(harmonic) * speed_rad_s,
             }));
-            chart.coincident.extend(coincident.into_iter().map(|harmonic| Coincidence { label, harmonic }));
         }
         Ok(())
     }

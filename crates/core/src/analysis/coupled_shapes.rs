@@ -7,10 +7,14 @@ use crate::blade::Blade;
 use crate::coupled::{self, Sample};
 use crate::dof::Dof;
 use crate::fault::Faults;
+use crate::functions::BasisFamily;
 use crate::modes::nodes;
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::sqrt;
-use crate::report::{BendingComponent, Components, CoupledShapeReport, CoupledShapesReport, Shares, TorsionComponent};
+use crate::report::{
+    BasisReport, BendingComponent, Components, CoupledShapeReport, CoupledShapesReport, FunctionCounts, Shares,
+    TorsionComponent,
+};
 use alloc::string::ToString;
 use alloc::vec::Vec;
 
@@ -57,7 +61,7 @@ pub fn coupled_shapes(blade: &Blade, settings: &Settings) -> Result<CoupledShape
         blade: blade.name().to_string(),
         speed_rad_s: speed,
         model,
-        functions: found.functions,
+        basis: BasisReport { family: BasisFamily::Piecewise, functions: FunctionCounts::of_all(found.functions) },
         r_m,
         radius_m: blade.radius(),
         shapes,

@@ -3,13 +3,14 @@
 use super::basis::solve;
 use super::coupled_fan::coupled_fan;
 use super::fitted::{Fitted, fitted};
+use super::model::uncoupled;
 use super::{ModelKind, Settings, frequency, margin, note, note_crossings, note_fewer, warnings};
 use crate::blade::Blade;
 use crate::fan::meet_rays;
 use crate::fault::Faults;
 use crate::label::Label;
 use crate::numerics::quadrature::GaussRules;
-use crate::report::{BasisReport, Branch, Coincidence, Crossing, FanChart, FunctionCounts, Nominal, Southwell};
+use crate::report::{BasisReport, Branch, Coincidence, Crossing, FanChart, FunctionCounts, Margin, Nominal, Southwell};
 use alloc::string::ToString;
 use alloc::vec::Vec;
 
@@ -20,7 +21,7 @@ use alloc::vec::Vec;
 /// Faults in the settings, or equations without an answer.
 pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
     settings.check()?;
-    if settings.model == ModelKind::Coupled {
+    if settings.model_for(blade) == ModelKind::Coupled {
         return coupled_fan(blade, settings);
     }
     let rules = GaussRules::new();
@@ -39,7 +40,7 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
         coincident: Vec::new(),
         nominal: Nominal { speed_rad_s: nominal, margins: Vec::new() },
         warnings: warnings(blade),
-        model: None,
+        model: uncoupled(blade),
         veerings: Vec::new(),
     };
     for dof in settings.ordered_dofs() {
@@ -72,21 +73,24 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
         let rays = meet_rays(curves, settings.harmonics);
         chart.crossings.extend(rays.crossings.iter().map(|crossing| Crossing {
             label: Label::new(dof, crossing.branch + 1),
+            branch: first + crossing.branch,
             harmonic: crossing.harmonic,
             speed_rad_s: crossing.speed,
             frequency_rad_s: crossing.frequency,
         }));
-        chart.coincident.extend(
-            rays.coincident
-                .iter()
-                .map(|&(branch, harmonic)| Coincidence { label: Label::new(dof, branch + 1), harmonic }),
-        );
+        chart.coincident.extend(rays.coincident.iter().map(|&(branch, harmonic)| Coincidence {
+            label: Label::new(dof, branch + 1),
+            branch: first + branch,
+            harmonic,
+        }));
         let at_nominal = solve(matrices, nominal, settings.modes)?;
         chart.nominal.margins.extend(
             at_nominal
                 .iter()
                 .enumerate()
-                .map(|(index, mode)| margin(Label::new(dof, index + 1), mode.frequency / nominal)),
+                .map(|(index, mode)| margin(Label::new(dof, index + 1), mode.frequency / nominal))
+                .enumerate()
+                .map(|(index, margin)| Margin { branch: Some(first + index), ..margin }),
         );
     }
     Ok(chart)
@@ -102,7 +106,8 @@ mod tests {
     /// About the hub a hinged blade flaps once per revolution at every speed and is free in lag.
     #[test]
     fn a_central_hinge_flaps_once_per_revolution() {
-        let settings = Settings { modes: 2, dofs: alloc::vec![Dof::Lag, Dof::Flap], ..Settings::default() };
+        let settings =
+            Settings { modes: 2, dofs: alloc::vec![Dof::Lag, Dof::Flap], ..Settings::of(ModelKind::Uncoupled) };
         let chart = fan(&free(0.0), &settings).unwrap();
         let labels: Vec<String> = chart.branches.iter().map(|branch| branch.label.to_string()).collect();
         assert_eq!(labels, ["1F", "2F", "1L", "2L"], "flap before lag, whatever was asked for first");
@@ -125,8 +130,11 @@ mod tests {
     /// At rest ω² = EI/m (z/l)⁴; on a crossing ω = nΩ, and the crossing lies on its branch.
     #[test]
     fn a_chart_starts_at_the_cantilever_and_crosses_its_rays() {
-        let chart =
-            fan(&clamped(0.5), &Settings { modes: 3, dofs: alloc::vec![Dof::Flap], ..Settings::default() }).unwrap();
+        let chart = fan(
+            &clamped(0.5),
+            &Settings { modes: 3, dofs: alloc::vec![Dof::Flap], ..Settings::of(ModelKind::Uncoupled) },
+        )
+        .unwrap();
         assert_eq!((chart.speeds_rad_s.len(), chart.speeds_rad_s[0], chart.speeds_rad_s[100]), (101, 0.0, 18.0));
         for (index, branch) in chart.branches.iter().enumerate() {
             let known = cantilever(index, 1.5).sqrt();
@@ -146,7 +154,7 @@ mod tests {
 
     #[test]
     fn unsound_settings_are_refused() {
-        let faults = fan(&clamped(0.5), &Settings { modes: 0, ..Settings::default() }).unwrap_err();
+        let faults = fan(&clamped(0.5), &Settings { modes: 0, ..Settings::of(ModelKind::Uncoupled) }).unwrap_err();
         assert_eq!(faults[0].path, "modes");
     }
 }

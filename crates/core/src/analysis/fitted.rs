@@ -213,7 +213,7 @@ fn places(converged: &Converged, (from, to): (f64, f64)) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::{SpeedRange, fan, modes};
+    use crate::analysis::{ModelKind, SpeedRange, fan, modes};
     use crate::functions::BasisFamily;
     use crate::lagrange::tests::sprung;
 
@@ -223,7 +223,7 @@ mod tests {
     fn a_chart_is_as_good_as_the_modes_of_each_speed() {
         let blade = sprung(0.2);
         let range = SpeedRange { from: 0.0, to: 10.0 * blade.nominal_speed(), count: 20 };
-        let settings = Settings { speeds: Some(range), modes: 3, ..Settings::default() };
+        let settings = Settings { speeds: Some(range), modes: 3, ..Settings::of(ModelKind::Uncoupled) };
         let chart = fan(&blade, &settings).unwrap();
         // Of the model, and of nothing that was solved.
         let unused =
@@ -243,7 +243,8 @@ mod tests {
     #[test]
     fn curves_of_the_classical_functions_are_their_eigenvalues() {
         let (blade, rules) = (sprung(0.2), GaussRules::new());
-        let settings = Settings { basis: BasisFamily::Classical, functions: 8, modes: 4, ..Settings::default() };
+        let settings =
+            Settings { basis: BasisFamily::Classical, functions: 8, modes: 4, ..Settings::of(ModelKind::Uncoupled) };
         for dof in Dof::ALL {
             let found = fitted(&blade, dof, &settings, (0.0, 1e4), 1e4, &rules).unwrap();
             assert!(found.error < TOLERANCE, "{dof}: {:e}", found.error);
@@ -265,7 +266,7 @@ mod tests {
         let text = crate::library::find("tm4760").unwrap().toml;
         let blade = crate::formats::read(text, crate::formats::Format::Toml).unwrap().blade;
         let rules = GaussRules::new();
-        let settings = Settings::default();
+        let settings = Settings::of(ModelKind::Uncoupled);
         let to = 100.0 * blade.nominal_speed();
         for dof in Dof::ALL {
             let found = fitted(&blade, dof, &settings, (0.0, to * to), to * to, &rules).unwrap();

@@ -108,5 +108,5 @@ fn margin(label: Label, per_rev: f64) -> Margin {
     // A frequency of more than 4 billion per revolution keeps the largest harmonic there is.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at least 1; the cast saturates")]
     let nearest_harmonic = nearest as u32;
-    Margin { label, per_rev, nearest_harmonic, margin_per_rev: per_rev - nearest }
+    Margin { label, branch: None, per_rev, nearest_harmonic, margin_per_rev: per_rev - nearest }
 }

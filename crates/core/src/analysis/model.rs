@@ -2,6 +2,7 @@
 
 use crate::blade::{Blade, PointMass, Property, SpringAngle};
 use crate::fault::Warning;
+use crate::report::ModelReport;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -31,7 +32,7 @@ enum Use {
 impl Model {
     /// Flap, lag and torsion apart.
     pub const UNCOUPLED: Self = Self {
-        words: "uncoupled, in vacuum, zero pitch, the paper's torsion term",
+        words: "uncoupled, in vacuum, zero pitch, no rotary inertia, no trapeze, the paper's torsion term",
         remarks: &[
             (Property::FlapInertia, Use::InSum, NOT_USED),
             (Property::LagInertia, Use::InSum, NOT_USED),
@@ -75,6 +76,22 @@ impl Model {
     }
 }
 
+/// Whether flap, lag and torsion of a blade feel one another, at the blade's own pitch and precone or at these.
+pub fn couples(blade: &Blade, pitch: Option<f64>, precone: Option<f64>) -> bool {
+    let acts = |property: &Property| blade.property(*property).values().iter().any(|value| *value != 0.0);
+    let turned = match blade.spring_angle() {
+        SpringAngle::Angle(angle) => angle != 0.0,
+        // With twist or pitch, which couple anyway.
+        SpringAngle::Pitch => false,
+    };
+    [Property::Twist, Property::MassOffset, Property::TensionOffset].iter().any(acts)
+        || pitch.unwrap_or_else(|| blade.pitch()) != 0.0
+        || precone.unwrap_or_else(|| blade.precone()) != 0.0
+        || blade.torque_offset() != 0.0
+        || turned
+        || blade.point_masses().iter().any(|mass| mass.mass != 0.0 && mass.offset != 0.0)
+}
+
 /// How the blade stands on its rotor: what of it is not 0.
 fn pose(blade: &Blade) -> impl Iterator<Item = &'static str> {
     [
@@ -89,6 +106,12 @@ fn pose(blade: &Blade) -> impl Iterator<Item = &'static str> {
 
 /// [`Model::words`] of the model that is solved.
 pub const MODEL: &str = Model::UNCOUPLED.words();
+
+/// The uncoupled model of a blade.
+pub(super) fn uncoupled(blade: &Blade) -> ModelReport {
+    let unused = Model::UNCOUPLED.unused(blade).into_iter().map(|warning| warning.path).collect();
+    ModelReport::uncoupled(MODEL, unused)
+}
 
 /// The warnings of every result: the blade's own, then what the model does not use of it.
 pub fn warnings(blade: &Blade) -> Vec<Warning> {
@@ -194,6 +217,6 @@ mod tests {
     fn what_the_model_uses_is_told_apart_from_what_it_does_not() {
         assert!(Model::UNCOUPLED.uses(Property::MassOffset) && Model::UNCOUPLED.uses(Property::Mass));
         assert!(!Model::UNCOUPLED.uses(Property::Twist));
-        assert_eq!(MODEL, "uncoupled, in vacuum, zero pitch, the paper's torsion term");
+        assert_eq!(MODEL, "uncoupled, in vacuum, zero pitch, no rotary inertia, no trapeze, the paper's torsion term");
     }
 }

@@ -1,6 +1,7 @@
 //! Frequencies at one speed.
 
 use super::basis::{Basis, Classical, converged, separated, solve};
+use super::model::uncoupled;
 use super::{Settings, available, margin, note, note_bounds, note_fewer, unsolvable, warnings};
 use crate::blade::Blade;
 use crate::converged::{Wanted, Work};
@@ -30,6 +31,7 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Faults> 
         schema: "bladefan-modes/1",
         blade: blade.name().to_string(),
         speed_rad_s: speed,
+        model: uncoupled(blade),
         basis: BasisReport { family: settings.basis, functions: FunctionCounts::default() },
         classical_functions: settings.functions,
         modes: Vec::new(),

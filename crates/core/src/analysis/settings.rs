@@ -1,5 +1,7 @@
 //! Options of every command, one plain struct: defaults, reading from text, checks.
 
+use super::model::couples;
+use crate::blade::Blade;
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode, Faults};
 use crate::figures::Shortest;
@@ -85,8 +87,9 @@ pub struct Settings {
     pub up_to: usize,
     /// Operating band as ratios of nominal speed; crossings inside are marked.
     pub band: (f64, f64),
-    /// What is solved.
-    pub model: ModelKind,
+    /// What is solved; `None`: the coupled model where the blade is coupled at all, see
+    /// [`model_for`](Self::model_for).
+    pub model: Option<ModelKind>,
     /// Modes of a coupled blade, all motions together.
     pub coupled_modes: usize,
     /// Collective pitch [rad] in place of the blade's own; coupled.
@@ -102,10 +105,9 @@ pub struct Settings {
 }
 
 /// Whether flap, lag and torsion feel one another.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModelKind {
     /// Each on its own, as in the paper.
-    #[default]
     Uncoupled,
     /// With twist, pitch, precone and offsets.
     Coupled,
@@ -125,7 +127,7 @@ impl Default for Settings {
             normalise: ShapeScale::Max,
             up_to: 16,
             band: (0.9, 1.1),
-            model: ModelKind::default(),
+            model: None,
             coupled_modes: 12,
             pitch: None,
             precone: None,
@@ -137,6 +139,11 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// The defaults, of one model.
+    pub fn of(model: ModelKind) -> Self {
+        Self { model: Some(model), ..Self::default() }
+    }
+
     /// Sets one option by its command-line name from its command-line text.
     ///
     /// # Errors
@@ -172,9 +179,10 @@ impl Settings {
                 _ => return refuse("must be max or mass"),
             },
             "model" => match text {
-                "uncoupled" => self.model = ModelKind::Uncoupled,
-                "coupled" => self.model = ModelKind::Coupled,
-                _ => return refuse("must be uncoupled or coupled"),
+                "auto" => self.model = None,
+                "uncoupled" => self.model = Some(ModelKind::Uncoupled),
+                "coupled" => self.model = Some(ModelKind::Coupled),
+                _ => return refuse("must be auto, uncoupled or coupled"),
             },
             "pitch" | "precone" => {
                 let Some(angle) = parse_angle(text) else { return refuse("must be an angle like 8deg or 0.14rad") };
@@ -238,11 +246,19 @@ impl Settings {
         self.faults(false).none()
     }
 
+    /// The model to solve: the one chosen, or else the coupled one where twist, pitch, precone, an offset or an
+    /// angle of the springs couples the motions of the blade.
+    pub fn model_for(&self, blade: &Blade) -> ModelKind {
+        let coupled = |blade| couples(blade, self.pitch, self.precone);
+        let by_blade = || if coupled(blade) { ModelKind::Coupled } else { ModelKind::Uncoupled };
+        self.model.unwrap_or_else(by_blade)
+    }
+
     /// Refuses the coupled model where a question is of the uncoupled one.
     pub(super) fn uncoupled(&self) -> Result<(), Faults> {
         match self.model {
-            ModelKind::Uncoupled => Ok(()),
-            ModelKind::Coupled => Err(option_fault("model", "coupled", "has a question of its own").into()),
+            None | Some(ModelKind::Uncoupled) => Ok(()),
+            Some(ModelKind::Coupled) => Err(option_fault("model", "coupled", "has a question of its own").into()),
         }
     }
 
@@ -257,7 +273,7 @@ impl Settings {
             let broken = speed_rule(speed);
             require(broken.is_none(), "speed", &Shortest(speed), broken.unwrap_or_default());
         }
-        let coupled = self.model == ModelKind::Coupled;
+        let coupled = self.model == Some(ModelKind::Coupled);
         let classical = self.basis == BasisFamily::Classical;
         require(!coupled || !classical, "basis", &"classical", "belongs to the uncoupled model");
         if let Some(pitch) = self.pitch {

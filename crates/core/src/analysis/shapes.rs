@@ -1,6 +1,7 @@
 //! Mode shapes along the span.
 
 use super::basis::{Basis, solve};
+use super::model::uncoupled;
 use super::{Settings, ShapeScale, note, note_fewer, warnings};
 use crate::blade::Blade;
 use crate::converged::{Wanted, Work};
@@ -36,6 +37,7 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Faults
         schema: "bladefan-shapes/1",
         blade: blade.name().to_string(),
         speed_rad_s: speed,
+        model: uncoupled(blade),
         basis: BasisReport { family: settings.basis, functions: FunctionCounts::default() },
         r_m: Vec::new(),
         radius_m: radius,

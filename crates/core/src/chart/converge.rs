@@ -82,7 +82,7 @@ pub fn converge(report: &ConvergeReport, options: &ChartOptions) -> Drawing {
     let width = right - left;
     let speed = short_in_drawing(report.speed_rad_s / options.speed_unit.si(), 4);
     let speed = format!("at {speed} {}", options.speed_unit.name());
-    let foot = Foot::new(&style, alloc::vec![speed.clone()], &remarks(report, &traces), left);
+    let foot = Foot::new(&style, alloc::vec![speed.clone()], &report.model.words, &remarks(report, &traces), left);
     let between = 1.5 * style.label();
     let under = panel::ticks_below(&style) + panel::name_below(&style) + 0.5 * style.small();
     let heights = match held {

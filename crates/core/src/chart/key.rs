@@ -4,7 +4,6 @@ use super::palette::{FAMILY_DASHES, Style, dashes};
 use super::sheet::{Anchor, Face, Pen, Point, Sheet, dash_array};
 use super::text;
 use crate::VERSION;
-use crate::analysis::MODEL;
 use crate::dof::Dof;
 use crate::functions::BasisFamily;
 use crate::label::Label;
@@ -213,18 +212,7 @@ pub(super) struct Foot {
 impl Foot {
     /// `parts` and what every drawing says: the model and the program's version; then `remarks`
     /// on lines of their own.
-    pub(super) fn new(style: &Style, parts: Vec<String>, remarks: &[String], left: f64) -> Self {
-        Self::with_model(style, parts, MODEL, remarks, left)
-    }
-
-    /// The same for a model of its own.
-    pub(super) fn with_model(
-        style: &Style,
-        mut parts: Vec<String>,
-        model: &str,
-        remarks: &[String],
-        left: f64,
-    ) -> Self {
+    pub(super) fn new(style: &Style, mut parts: Vec<String>, model: &str, remarks: &[String], left: f64) -> Self {
         let room = style.width - style.margin() - left;
         parts.push(model.to_string());
         parts.push(format!("bladefan {VERSION}"));

@@ -8,11 +8,9 @@ use super::panel::{self, Panel};
 use super::scale::Scale;
 use super::sheet::{Anchor, Face, Point, Sheet};
 use super::{ChartOptions, Drawing, text};
-use crate::analysis::MODEL;
 use crate::dof::Dof;
 use crate::figures::short_in_drawing;
-use crate::functions::BasisFamily;
-use crate::report::{BasisReport, CoupledShapesReport, FunctionCounts, ShapeReport, ShapesReport};
+use crate::report::{CoupledShapesReport, ShapeReport, ShapesReport};
 use alloc::format;
 use alloc::string::ToString;
 use alloc::vec::Vec;
@@ -55,21 +53,18 @@ pub fn coupled_shapes(report: &CoupledShapesReport, options: &ChartOptions) -> D
         schema: report.schema,
         blade: report.blade.clone(),
         speed_rad_s: report.speed_rad_s,
-        basis: BasisReport { family: BasisFamily::Piecewise, functions: FunctionCounts::default() },
+        model: report.model.clone(),
+        basis: report.basis,
         r_m: report.r_m.clone(),
         radius_m: report.radius_m,
         shapes,
         warnings: Vec::new(),
     };
-    draw_shapes(&plain, &report.model.words(), options)
+    self::shapes(&plain, options)
 }
 
 /// Draws mode shapes over the span r/R.
 pub fn shapes(report: &ShapesReport, options: &ChartOptions) -> Drawing {
-    draw_shapes(report, MODEL, options)
-}
-
-fn draw_shapes(report: &ShapesReport, model: &str, options: &ChartOptions) -> Drawing {
     let style = Style::of(options.theme, options.width);
     let name = text::clean(&report.blade);
     let dofs: Vec<Dof> =
@@ -98,7 +93,7 @@ fn draw_shapes(report: &ShapesReport, model: &str, options: &ChartOptions) -> Dr
     let head = Head::new(&style, &name, Vec::new(), beside);
     let top = head.height(&style);
     let notes = alloc::vec![speed.clone(), "dots: nodes".to_string(), basis_text(&report.basis)];
-    let foot = Foot::with_model(&style, notes, model, &[], beside);
+    let foot = Foot::new(&style, notes, &report.model.words, &[], beside);
     let height = held.map_or(ratio * width, |height| {
         let room = (height - top - foot.height(&style)) / rows.max(1) as f64;
         (room - row_rest).max(panel::least_height(&style))

@@ -4,13 +4,14 @@
 
 use super::line::Area;
 use super::{ChartOptions, Drawing, FrequencyUnit, Theme, converge, fan, parse_frequencies, shapes, text};
+use crate::analysis::MODEL;
 use crate::dof::Dof;
 use crate::functions::BasisFamily;
 use crate::label::Label;
 use crate::numerics::scalar::{sin_cos, sqrt};
 use crate::report::{
     BasisReport, Branch, Coincidence, ConvergeReport, ConvergeSeries, Crossing, FanChart, FunctionCounts,
-    MeasuredPoint, Nominal, ShapeReport, ShapesReport, Southwell,
+    MeasuredPoint, ModelReport, Nominal, ShapeReport, ShapesReport, Southwell,
 };
 use crate::units::SpeedUnit;
 use alloc::format;
@@ -65,13 +66,14 @@ pub(super) fn chart(branches: &[(Dof, f64, f64)], speeds: usize, harmonics: u32)
         .collect();
     let crossings = branches
         .iter()
+        .enumerate()
         .flat_map(|branch| (1..=harmonics).map(move |harmonic| (branch, harmonic)))
-        .filter_map(|(branch, harmonic)| {
+        .filter_map(|((index, branch), harmonic)| {
             let below = f64::from(harmonic * harmonic) - branch.southwell.k1;
             let speed_rad_s = sqrt(branch.southwell.k0 / below.max(1e-9));
             let frequency_rad_s = f64::from(harmonic) * speed_rad_s;
             let met = speed_rad_s > 0.0 && speed_rad_s < 1.2 * nominal;
-            met.then_some(Crossing { label: branch.label, harmonic, speed_rad_s, frequency_rad_s })
+            met.then_some(Crossing { label: branch.label, branch: index, harmonic, speed_rad_s, frequency_rad_s })
         })
         .collect();
     FanChart {
@@ -83,12 +85,16 @@ pub(super) fn chart(branches: &[(Dof, f64, f64)], speeds: usize, harmonics: u32)
         speeds_rad_s: speeds,
         branches,
         crossings,
-        coincident: vec![Coincidence { label: Label::new(Dof::Flap, 1), harmonic: 1 }],
+        coincident: vec![Coincidence { label: Label::new(Dof::Flap, 1), branch: 0, harmonic: 1 }],
         nominal: Nominal { speed_rad_s: nominal, margins: Vec::new() },
         warnings: Vec::new(),
-        model: None,
+        model: model(),
         veerings: Vec::new(),
     }
+}
+
+fn model() -> ModelReport {
+    ModelReport::uncoupled(MODEL, Vec::new())
 }
 
 fn many_branches(each: u32) -> Vec<(Dof, f64, f64)> {
@@ -122,6 +128,7 @@ fn shape_report(modes: usize) -> ShapesReport {
         schema: "bladefan-shapes/1",
         blade: "TM 4760 research blade".to_string(),
         speed_rad_s: 69.1,
+        model: model(),
         basis: basis(),
         r_m,
         radius_m: 1.397,
@@ -157,6 +164,7 @@ fn converge_report(known: bool) -> ConvergeReport {
         schema: "bladefan-converge/1",
         blade: "TM 4760 research blade".to_string(),
         speed_rad_s: 69.1,
+        model: model(),
         functions: (1..=16).collect(),
         series,
         warnings: Vec::new(),
@@ -477,6 +485,7 @@ fn what_is_not_a_number_is_not_drawn() {
     }
     chart.crossings.push(Crossing {
         label: Label::new(Dof::Flap, 1),
+        branch: 0,
         harmonic: 1,
         speed_rad_s: 69.0,
         frequency_rad_s: f64::NAN,

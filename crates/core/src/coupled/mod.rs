@@ -74,8 +74,8 @@ pub struct CoupledModes {
     pub modes: Vec<CoupledMode>,
     /// ρ of the bounds [rad²/s²], or why there are none.
     pub separation: Result<f64, Missing>,
-    /// Number of functions.
-    pub functions: usize,
+    /// Number of functions of flap, lag and torsion.
+    pub functions: [usize; 3],
 }
 
 /// The `count` lowest modes at Ω² = s.
@@ -207,7 +207,7 @@ impl Solved {
             bounds: bounds(i),
             shares: shares::shares(&kinetic, &unit(i)),
         };
-        CoupledModes { modes: (0..count).map(mode).collect(), separation, functions: assembly.unknowns() }
+        CoupledModes { modes: (0..count).map(mode).collect(), separation, functions: assembly.unknowns_by_motion() }
     }
 }
 

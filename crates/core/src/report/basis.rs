@@ -25,6 +25,11 @@ impl FunctionCounts {
         }
     }
 
+    /// Those of all three.
+    pub fn of_all([flap, lag, torsion]: [usize; 3]) -> Self {
+        Self { flap: Some(flap), lag: Some(lag), torsion: Some(torsion) }
+    }
+
     /// Those asked for, in the order flap, lag, torsion.
     pub fn known(&self) -> impl Iterator<Item = (Dof, usize)> + Clone {
         let counts = [self.flap, self.lag, self.torsion];

@@ -1,5 +1,6 @@
 //! Frequency against the number of assumed functions.
 
+use super::ModelReport;
 use crate::dof::Dof;
 use crate::fault::Warning;
 use crate::label::Label;
@@ -39,6 +40,8 @@ report! {
         blade: String,
         /// Rotor speed.
         speed_rad_s: f64,
+        /// What is solved.
+        model: ModelReport,
         /// Numbers of functions, 1, 2, …
         functions: Vec<usize>,
         /// One per mode.

@@ -1,55 +1,11 @@
 //! Modes of a coupled blade at one speed.
 
-use super::Margin;
+use super::{BasisReport, Margin, ModelReport};
 use crate::dof::Dof;
 use crate::fault::Warning;
-use crate::figures::short;
 use crate::label::Label;
-use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
-
-report! {
-    /// What acts in a model.
-    ModelReport {
-        /// `coupled`.
-        kind: &'static str,
-        /// Collective pitch, nose up.
-        pitch_rad: f64,
-        /// Precone, tip up.
-        precone_rad: f64,
-        /// Whether the tension of the fibres stiffens torsion.
-        trapeze: bool,
-        /// Whether sections have rotary inertia in bending.
-        rotary: bool,
-        /// Whether Coriolis terms act.
-        gyroscopic: bool,
-        /// Whether the blade vibrates about its steady shape at speed.
-        steady: bool,
-        /// `held`: the precone is the geometric one.
-        cone: &'static str,
-        /// `full` or `paper`.
-        propeller_moment: &'static str,
-        /// Paths of what the blade gives and the model does not use.
-        unused: Vec<String>,
-    }
-}
-impl ModelReport {
-    /// One plain line that says what acts and what is left out.
-    pub fn words(&self) -> String {
-        let degrees = |angle: f64| format!("{}°", short(angle.to_degrees(), 4));
-        let switch = |name: &str, on: bool| format!("{name} {}", if on { "on" } else { "off" });
-        let moment =
-            if self.propeller_moment == "paper" { "the paper's propeller moment" } else { "full propeller moment" };
-        format!(
-            "coupled, in vacuum, pitch {}, precone {}, {}, {}, {moment}, no gyroscopic terms, no steady deflection",
-            degrees(self.pitch_rad),
-            degrees(self.precone_rad),
-            switch("trapeze", self.trapeze),
-            switch("rotary inertia", self.rotary),
-        )
-    }
-}
 
 report! {
     /// How much of a mode's kinetic energy about the mass centre is in each motion; in sum 1.
@@ -116,8 +72,8 @@ report! {
         speed_rad_s: f64,
         /// What acts.
         model: ModelReport,
-        /// Number of piecewise functions.
-        functions: usize,
+        /// Assumed functions.
+        basis: BasisReport,
         /// The modes.
         modes: Vec<CoupledModeReport>,
         /// Warnings of the blade.
@@ -130,6 +86,7 @@ impl CoupledModesReport {
         let margin = |mode: &CoupledModeReport| {
             Some(Margin {
                 label: mode.label,
+                branch: None,
                 per_rev: mode.per_rev?,
                 nearest_harmonic: mode.nearest_harmonic?,
                 margin_per_rev: mode.margin_per_rev?,
@@ -217,8 +174,8 @@ report! {
         speed_rad_s: f64,
         /// What acts.
         model: ModelReport,
-        /// Number of piecewise functions.
-        functions: usize,
+        /// Assumed functions.
+        basis: BasisReport,
         /// Radii from the least offset to the tip, ends included.
         r_m: Vec<f64>,
         /// Tip radius.

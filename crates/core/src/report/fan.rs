@@ -70,8 +70,10 @@ report! {
 report! {
     /// Where a branch meets an nP ray.
     Crossing {
-        /// Branch.
+        /// What the branch is called at this speed.
         label: Label,
+        /// Its place among the branches, from 0.
+        branch: usize,
         /// n of the ray ω = nΩ.
         harmonic: u32,
         /// Rotor speed there, greater than 0.
@@ -85,6 +87,8 @@ report! {
     Coincidence {
         /// Branch.
         label: Label,
+        /// Its place among the branches, from 0.
+        branch: usize,
         /// n of the ray.
         harmonic: u32,
     }
@@ -123,9 +127,8 @@ report! {
         nominal: Nominal,
         /// Warnings of the blade.
         warnings: Vec<Warning>,
-        /// What acts; coupled alone.
-        #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-        model: Option<ModelReport>,
+        /// What is solved.
+        model: ModelReport,
         /// Where branches come near one another, by rotor speed; coupled alone.
         #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
         veerings: Vec<VeeringReport>,
@@ -184,6 +187,7 @@ mod tests {
     fn a_band_holds_its_ends() {
         let crossing = |speed_rad_s: f64| Crossing {
             label: Label::new(Dof::Flap, 1),
+            branch: 0,
             harmonic: 1,
             speed_rad_s,
             frequency_rad_s: speed_rad_s,
@@ -200,7 +204,7 @@ mod tests {
             coincident: Vec::new(),
             nominal: Nominal { speed_rad_s: 10.0, margins: Vec::new() },
             warnings: Vec::new(),
-            model: None,
+            model: ModelReport::uncoupled("", Vec::new()),
             veerings: Vec::new(),
         };
         let speeds = |band: (f64, f64)| -> Vec<f64> { chart.crossings_in(band).map(|at| at.speed_rad_s).collect() };

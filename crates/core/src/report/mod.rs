@@ -16,6 +16,7 @@ mod compare;
 mod converge;
 mod coupled;
 mod fan;
+mod model;
 mod modes;
 mod shapes;
 mod summary;
@@ -25,9 +26,10 @@ pub use compare::{ComparedPoint, MeasuredPoint};
 pub use converge::{ConvergeReport, ConvergeSeries};
 pub use coupled::{
     BendingComponent, Components, CoupledModeReport, CoupledModesReport, CoupledShapeReport, CoupledShapesReport,
-    ModelReport, Shares, TorsionComponent,
+    Shares, TorsionComponent,
 };
 pub use fan::{Branch, BranchLabel, Coincidence, Crossing, FanChart, ModeAtSpeed, Nominal, Southwell, VeeringReport};
+pub use model::ModelReport;
 pub use modes::{Margin, ModeReport, ModesReport};
 pub use shapes::{ShapeReport, ShapesReport};
 pub use summary::{BladeSummary, DofSummary};

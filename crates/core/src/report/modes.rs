@@ -1,6 +1,6 @@
 //! Modes at one speed.
 
-use super::BasisReport;
+use super::{BasisReport, ModelReport};
 use crate::dof::Dof;
 use crate::fault::Warning;
 use crate::label::Label;
@@ -51,6 +51,8 @@ report! {
         blade: String,
         /// Rotor speed.
         speed_rad_s: f64,
+        /// What is solved.
+        model: ModelReport,
         /// Assumed functions.
         basis: BasisReport,
         /// How many of the paper's functions are behind `classical_rad_s`.
@@ -64,8 +66,11 @@ report! {
 report! {
     /// How far a mode is from the nearest harmonic.
     Margin {
-        /// Branch.
+        /// What the mode is called.
         label: Label,
+        /// Its place among the branches of a fan chart, from 0; `None` at one speed.
+        #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+        branch: Option<usize>,
         /// Frequency per revolution.
         per_rev: f64,
         /// Nearest integer, at least 1.

@@ -1,6 +1,6 @@
 //! Mode shapes.
 
-use super::BasisReport;
+use super::{BasisReport, ModelReport};
 use crate::dof::Dof;
 use crate::fault::Warning;
 use crate::label::Label;
@@ -40,6 +40,8 @@ report! {
         blade: String,
         /// Rotor speed.
         speed_rad_s: f64,
+        /// What is solved.
+        model: ModelReport,
         /// Assumed functions.
         basis: BasisReport,
         /// Radii from the least offset to the tip, ends included.

@@ -29,8 +29,10 @@ pub(super) struct Mark {
 pub(super) fn marks(chart: &FanChart, band: (f64, f64), panel: &Panel, units: Units) -> Vec<Mark> {
     let mark = |crossing: &Crossing| {
         let at = units.point(panel, crossing.speed_rad_s, crossing.frequency_rad_s)?;
-        let label = crossing.label.to_string();
-        panel.area.holds_point(at).then(|| Mark { at, name: format!("{label} × {}P", crossing.harmonic), label })
+        // The circle belongs to its branch, which may be called otherwise there.
+        let branch = chart.branches.get(crossing.branch).map_or(crossing.label, |branch| branch.label);
+        let name = format!("{} × {}P", crossing.label, crossing.harmonic);
+        panel.area.holds_point(at).then(|| Mark { at, name, label: branch.to_string() })
     };
     chart.crossings_in(band).filter_map(mark).collect()
 }

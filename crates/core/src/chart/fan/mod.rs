@@ -19,11 +19,10 @@ use super::panel::{self, Panel};
 use super::scale::Scale;
 use super::sheet::{Anchor, Face, Point, Sheet};
 use super::{ChartOptions, Drawing, text};
-use crate::analysis::MODEL;
 use crate::dof::Dof;
 use crate::figures::short_in_drawing;
 use crate::label::Label;
-use crate::report::{FanChart, ModelReport};
+use crate::report::FanChart;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -65,8 +64,7 @@ pub fn fan(chart: &FanChart, options: &ChartOptions) -> Drawing {
     let usual = RATIO * (right - left);
     let (mut panel, mut curves, mut measured) = lay_out(usual);
     let remarks = remarks(chart, &curves, &measured, &range, units);
-    let model = chart.model.as_ref().map_or_else(|| MODEL.to_string(), ModelReport::words);
-    let foot = Foot::with_model(&style, alloc::vec![basis_text(&chart.basis)], &model, &remarks, left);
+    let foot = Foot::new(&style, alloc::vec![basis_text(&chart.basis)], &chart.model.words, &remarks, left);
     let under = panel::ticks_below(&style) + panel::name_below(&style) + 0.5 * style.small();
     if let Some(height) = held {
         let room = height - top - under - foot.height(&style);

@@ -198,6 +198,8 @@ fn made_up(places: &[Point]) -> FanChart {
     let mut chart = drawn::chart(&BRANCHES, 21, 10);
     let crossing = |(number, &(along, up)): (usize, &Point)| Crossing {
         label: Label::new(Dof::ALL[number % 3], 1 + number / 3),
+        // None of the chart's own: each has a name of its own.
+        branch: usize::MAX,
         harmonic: 1 + number as u32 % 10,
         speed_rad_s: 69.1 * (0.9 + 0.2 * along),
         frequency_rad_s: 600.0 * up,
