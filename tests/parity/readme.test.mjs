@@ -11,6 +11,6 @@ test("the example of the README runs", () => {
   const lines = [];
   const require = (name) => (assert.equal(name, "bladefan-wasm"), pkg);
   new Function("require", "console", code)(require, { log: (line) => lines.push(line) });
-  assert.match(lines[0], /^1F \d+\.\d\d Hz\n2F /);
+  assert.match(lines[0], /^1L \d+\.\d\d Hz\n1F /);
   assert.equal(lines[1], "scaled by 2 along with the mass");
 });

@@ -22,6 +22,8 @@ function compare(command, blade, options, least) {
   assert.ok(count >= least, `only ${count} numbers were compared`);
 }
 
+const uncoupled = { model: "uncoupled" };
+
 test("drawings have the same looks", () => {
   const file = join(folder, "looks.svg");
   const looks = [
@@ -63,18 +65,20 @@ for (const entry of blades) {
     same(json("check", name), value(pkg.check(blade)));
   });
   for (const ratio of [0, 1, 1.2]) {
-    test(`${name}: modes at ${ratio} of nominal speed`, () => compare("modes", entry, { speed: ratio * nominal }, 15 * 5));
+    test(`${name}: modes at ${ratio} of nominal speed`, () => compare("modes", entry, { ...uncoupled, speed: ratio * nominal }, 15 * 5));
   }
-  test(`${name}: modes with 60 functions`, () => compare("modes", entry, { functions: 60, modes: 10 }, 30 * 5));
-  test(`${name}: fan`, () => compare("fan", entry, {}, 101 * 16));
-  test(`${name}: fan of other speeds`, () => compare("fan", entry, { speeds: `0:${2 * nominal}:37`, harmonics: 20, dof: "lag,flap" }, 37 * 11));
-  test(`${name}: shapes`, () => compare("shapes", entry, {}, 101 * 3 * 15));
-  test(`${name}: shapes by mass`, () => compare("shapes", entry, { normalise: "mass", points: 11, speed: 0 }, 11 * 3 * 15));
-  test(`${name}: converge`, () => compare("converge", entry, {}, 16 * 8));
+  test(`${name}: modes with 60 functions`, () => compare("modes", entry, { ...uncoupled, functions: 60, modes: 10 }, 30 * 5));
+  test(`${name}: fan`, () => compare("fan", entry, uncoupled, 101 * 16));
+  test(`${name}: fan of other speeds`, () => compare("fan", entry, { ...uncoupled, speeds: `0:${2 * nominal}:37`, harmonics: 20, dof: "lag,flap" }, 37 * 11));
+  test(`${name}: shapes`, () => compare("shapes", entry, uncoupled, 101 * 3 * 15));
+  test(`${name}: shapes by mass`, () => compare("shapes", entry, { ...uncoupled, normalise: "mass", points: 11, speed: 0 }, 11 * 3 * 15));
+  test(`${name}: converge`, () => compare("converge", entry, uncoupled, 16 * 8));
   // More modes than the 15 functions of the other commands: here the number of functions varies.
-  test(`${name}: converge with 16 modes`, () => compare("converge", entry, { modes: 16 }, 16 * 8));
+  test(`${name}: converge with 16 modes`, () => compare("converge", entry, { ...uncoupled, modes: 16 }, 16 * 8));
   test(`${name}: coupled modes`, () => compare("modes", entry, { model: "coupled", pitch: "8deg" }, 12 * 10));
   test(`${name}: coupled fan`, () => compare("fan", entry, { model: "coupled", speeds: `0:${1.2 * nominal}:11`, precone: 0.03 }, 11 * 36));
+  test(`${name}: the paper's functions, coupled`, () => compare("modes", entry, { model: "coupled", basis: "classical", functions: 9 }, 12 * 10));
+  test(`${name}: coupled convergence`, () => compare("converge", entry, { model: "coupled", modes: 6, up_to: 5 }, 6 * 5));
   test(`${name}: coupled shapes`, () => compare("shapes", entry, { model: "coupled", modes: 5, points: 11, rotary: "off" }, 11 * 50));
   for (const kind of ["fan", "shapes"]) {
     test(`${name}: coupled drawing of ${kind}`, () => {
@@ -88,10 +92,10 @@ for (const entry of blades) {
     for (const theme of ["light", "dark"]) {
       test(`${name}: drawing of ${kind}, ${theme}`, () => {
         const file = join(folder, `${name}-${kind}-${theme}.svg`);
-        const { status, stderr } = run(kind, name, "--svg", file, "--theme", theme);
+        const { status, stderr } = run(kind, name, "--model", "uncoupled", "--svg", file, "--theme", theme);
         assert.equal(status, 0, stderr);
-        const { svg, report } = value(pkg.chart_svg(kind, blade, { theme }));
-        same(report, value(pkg[kind](blade, {})));
+        const { svg, report } = value(pkg.chart_svg(kind, blade, { ...uncoupled, theme }));
+        same(report, value(pkg[kind](blade, uncoupled)));
         assert.ok(svg === readFileSync(file, "utf8"), "the two SVG texts differ");
         assert.ok(svg.length > 5_000, "there is hardly anything in the drawing");
       });
@@ -104,9 +108,10 @@ test("measured points are compared alike", () => {
   const file = join(folder, "measured.csv");
   writeFileSync(file, csv);
   for (const { name, blade } of blades) {
+    same(json("fan", name, "--model", "coupled", "--measured", file).measured, value(pkg.compare(blade, csv, { model: "coupled" })));
     for (const basis of ["piecewise", "classical"]) {
-      const compared = value(pkg.compare(blade, csv, { basis }));
-      same(json("fan", name, "--measured", file, "--basis", basis).measured, compared);
+      const compared = value(pkg.compare(blade, csv, { ...uncoupled, basis }));
+      same(json("fan", name, "--model", "uncoupled", "--measured", file, "--basis", basis).measured, compared);
       assert.deepEqual(
         compared.map((point) => point.computed_rad_s === null),
         [false, false, false, true],

@@ -34,11 +34,11 @@ function fits(part, given) {
   if (has(part, ts.TypeFlags.Number)) return typeof given === "number";
   if (!has(part, ts.TypeFlags.Object) || typeof given !== "object") return false;
   if (checker.isArrayType(part) || Array.isArray(given)) return checker.isArrayType(part) && Array.isArray(given);
-  // Schema and model tell reports apart.
-  const model = part.getProperty("model");
-  if (model !== undefined && !has(model, ts.SymbolFlags.Optional) && !Object.hasOwn(given, "model")) return false;
-  if (model === undefined && part.getProperty("schema") !== undefined && Object.hasOwn(given, "model")) return false;
+  // Schema and kind of model tell reports apart.
   const schema = part.getProperty("schema");
+  const model = part.getProperty("model");
+  const kind = schema && model && checker.getTypeOfSymbol(model).getProperty("kind");
+  if (kind && given.model !== undefined && !partsOf(checker.getTypeOfSymbol(kind)).some((known) => fits(known, given.model.kind))) return false;
   return schema === undefined || part.getProperties().every(({ name }) => name !== "schema") || fits(checker.getTypeOfSymbol(schema), given.schema);
 }
 
@@ -87,7 +87,7 @@ const answers = {
   ModesReport: () =>
     blades.flatMap(({ blade }) =>
       [{}, { speed: 0 }, { dof: "flap" }, { basis: "classical", functions: 2, modes: 2 }, { functions: 2 }].map((options) =>
-        pkg.modes(blade, options),
+        pkg.modes(blade, { model: "uncoupled", ...options }),
       ),
     ),
   CoupledModesReport: () => [
@@ -100,13 +100,13 @@ const answers = {
   ],
   FanChart: () =>
     blades.flatMap(({ blade }) => [
-      pkg.fan(blade),
+      pkg.fan(blade, { model: "uncoupled" }),
       pkg.fan(blade, { model: "coupled", modes: 3 }),
       pkg.fan(feathered, diverging),
       pkg.fan({ ...blade, rotor: { ...blade.rotor, blades: undefined } }, { dof: "lag" }),
     ]),
-  ShapesReport: () => blades.map(({ blade }) => pkg.shapes(blade, { modes: 2, points: 5 })),
-  ConvergeReport: () => blades.flatMap(({ blade }) => [pkg.converge(blade, { modes: 3 }), pkg.converge(blade, { speed: 0, modes: 16 })]),
+  ShapesReport: () => blades.map(({ blade }) => pkg.shapes(blade, { model: "uncoupled", modes: 2, points: 5 })),
+  ConvergeReport: () => blades.flatMap(({ blade }) => [pkg.converge(blade, { model: "uncoupled", modes: 3 }), pkg.converge(blade, { model: "uncoupled", speed: 0, modes: 16 }), pkg.converge(blade, { model: "coupled", up_to: 5 })]),
   BladeSummary: () => blades.flatMap(({ blade }) => [pkg.check(blade), pkg.check({ ...blade, rotor: { ...blade.rotor, blades: undefined } })]),
   Drawing: () => ["fan", "shapes", "converge"].map((kind) => pkg.chart_svg(kind, blade)),
   About: () => [pkg.about()],
@@ -136,7 +136,7 @@ test("faults and warnings are as declared", () => {
     assert.equal(status, "error");
     agreeAll("Fault", found);
   }
-  const warned = pkg.modes({ ...blade, distribution: { ...blade.distribution, mass_offset: 0.1 } });
+  const warned = pkg.modes({ ...blade, distribution: { ...blade.distribution, mass_offset: 0.1 } }, { model: "uncoupled" });
   assert.ok(warned.warnings.length > 0, "a blade with an offset of mass is warned of");
   agreeAll("Warning", warned.warnings);
 });
@@ -158,7 +158,7 @@ test("what is declared as null or something is both", () => {
 });
 
 test("a key that is missing in either is found", () => {
-  const [shape] = value(pkg.shapes(blade, { modes: 1, points: 3 })).shapes;
+  const [shape] = value(pkg.shapes(blade, { model: "uncoupled", modes: 1, points: 3 })).shapes;
   assert.deepEqual(faults(declared.get("ShapeReport"), { ...shape, more: 1 }, ""), ["ShapeReport.more is not declared"]);
   const { orthogonality, ...less } = shape;
   assert.equal(typeof orthogonality, "number");

@@ -1,10 +1,10 @@
 //! Files of the repository that a command prints.
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
+use bladefan_core::Settings;
 use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::formats::{Format, read};
 use bladefan_core::library;
-use bladefan_core::Settings;
 
 /// The README's picture is what its command draws now. To make it anew:
 /// `cargo run --release -p bladefan -- fan tm4760 --svg docs/images/fan-tm4760.svg`

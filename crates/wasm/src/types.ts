@@ -137,10 +137,10 @@ export interface SolverOptions {
 }
 /** An angle: a number in rad, or text with a unit ("8deg", "0.14rad"). */
 export type Angle = number | string;
-/** What is solved; all but `model` act in the coupled model alone. Convergence studies have none of it. */
+/** What is solved; all but `model` act in the coupled model alone. */
 export interface ModelOptions extends SolverOptions {
-  /** Default "uncoupled". */
-  model?: "uncoupled" | "coupled" | null;
+  /** Default "auto": coupled where twist, pitch, precone or an offset couples the motions. */
+  model?: "auto" | "uncoupled" | "coupled" | null;
   pitch?: Angle | null;
   precone?: Angle | null;
   trapeze?: "on" | "off" | null;
@@ -163,7 +163,7 @@ export interface ShapesOptions extends ModesOptions {
   points?: number | string | null;
   normalise?: "max" | "mass" | null;
 }
-export interface ConvergeOptions extends SolverOptions {
+export interface ConvergeOptions extends ModelOptions {
   speed?: Speed | null;
   up_to?: number | string | null;
 }
@@ -199,6 +199,7 @@ export interface ModesReport {
   schema: "bladefan-modes/1";
   blade: string;
   speed_rad_s: number;
+  model: Model<"uncoupled">;
   basis: Basis;
   /** How many of the paper's functions are behind `classical_rad_s`. */
   classical_functions: number;
@@ -239,13 +240,13 @@ export interface FanChart {
   basis: Basis;
   speeds_rad_s: number[];
   branches: Branch[];
-  crossings: { label: string; harmonic: number; speed_rad_s: number; frequency_rad_s: number }[];
+  /** Each with what the branch is called there, and its place among the branches. */
+  crossings: { label: string; branch: number; harmonic: number; speed_rad_s: number; frequency_rad_s: number }[];
   /** Branches that lie on a ray at every speed. */
-  coincident: { label: string; harmonic: number }[];
+  coincident: { label: string; branch: number; harmonic: number }[];
   nominal: { speed_rad_s: number; margins: Margin[] };
   warnings: Warning[];
-  /** What acts; coupled alone. */
-  model?: Model;
+  model: Model;
   /** Where branches come near one another, by rotor speed; coupled alone. */
   veerings?: {
     /** Indices of the branches, the lower one first. */
@@ -301,15 +302,20 @@ export interface CoupledMode {
   /** Where there are none: an estimate, which is no bound. */
   error_estimate_rad_s: number | null;
   separation_rad_s: number | null;
+  /** The paper's functions, as many of each motion as `functions` says. */
+  classical_rad_s: number | null;
+  /** The piecewise functions. */
+  converged_rad_s: number | null;
 }
 /** Modes of a coupled blade at one rotor speed, ascending. */
 export interface CoupledModesReport {
   schema: "bladefan-modes/1";
   blade: string;
   speed_rad_s: number;
-  model: Model;
-  /** Number of piecewise functions. */
-  functions: number;
+  model: Model<"coupled">;
+  basis: Basis;
+  /** How many of the paper's functions of each motion are behind `classical_rad_s`. */
+  classical_functions: number;
   modes: CoupledMode[];
   warnings: Warning[];
 }
@@ -333,16 +339,16 @@ export interface CoupledShapesReport {
   schema: "bladefan-shapes/1";
   blade: string;
   speed_rad_s: number;
-  model: Model;
-  functions: number;
+  model: Model<"coupled">;
+  basis: Basis;
   r_m: number[];
   radius_m: number;
   shapes: CoupledShape[];
   warnings: Warning[];
 }
-/** What acts in a coupled model. */
-export interface Model {
-  kind: "coupled";
+/** What is solved. */
+export interface Model<K extends "uncoupled" | "coupled" = "uncoupled" | "coupled"> {
+  kind: K;
   pitch_rad: number;
   precone_rad: number;
   trapeze: boolean;
@@ -351,7 +357,10 @@ export interface Model {
   steady: boolean;
   cone: "held";
   propeller_moment: "full" | "paper";
+  /** Paths of what the blade gives and the model does not use. */
   unused: string[];
+  /** The same in one plain line. */
+  words: string;
 }
 /** One branch at one speed of a chart, as `at_speed` reads it off. */
 export interface ModeAtSpeed {
@@ -364,6 +373,8 @@ export interface ModeAtSpeed {
 }
 export interface Margin {
   label: string;
+  /** Its place among the branches of a fan chart. */
+  branch?: number;
   per_rev: number;
   nearest_harmonic: number;
   /** `per_rev` less `nearest_harmonic`. */
@@ -374,6 +385,7 @@ export interface ShapesReport {
   schema: "bladefan-shapes/1";
   blade: string;
   speed_rad_s: number;
+  model: Model<"uncoupled">;
   basis: Basis;
   r_m: number[];
   radius_m: number;
@@ -398,6 +410,7 @@ export interface ConvergeReport {
   schema: "bladefan-converge/1";
   blade: string;
   speed_rad_s: number;
+  model: Model;
   /** Numbers of classical functions. */
   functions: number[];
   series: ConvergeSeries[];

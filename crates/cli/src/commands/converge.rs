@@ -58,8 +58,13 @@ fn table(report: &ConvergeReport, width: usize) -> String {
         let _ = write!(text, "\n{}\n{}", wrap(title, 0, width), table.render(width));
     };
     section("Error [%] of N classical functions against the converged frequency", &classical(report, most));
+    let all: Vec<_> = report.series.iter().collect();
+    if report.model.kind == "coupled" && !all.is_empty() {
+        section("Error [%] of N piecewise functions of all motions", &piecewise(&all));
+        return text;
+    }
     for dof in Dof::ALL {
-        let series: Vec<_> = report.series.iter().filter(|series| series.dof == dof).collect();
+        let series: Vec<_> = all.iter().copied().filter(|series| series.dof == dof).collect();
         if !series.is_empty() {
             section(&format!("Error [%] of N piecewise functions, {dof}"), &piecewise(&series));
         }

@@ -23,7 +23,7 @@ pub(super) fn run(args: &ModesArgs) -> Result<Output, Failure> {
         ModelKind::Uncoupled => {
             let report = input.ask("solving", |blade| bladefan_core::modes(blade, &settings))?;
             let text = match args.result.format {
-                Format::Table => table(&report, settings.functions, width),
+                Format::Table => table(&report, width),
                 Format::Json => json::line(&report)?,
                 Format::Csv => csv::modes(&report)?,
             };
@@ -45,9 +45,11 @@ pub(super) fn run(args: &ModesArgs) -> Result<Output, Failure> {
 }
 
 fn coupled_table(report: &CoupledModesReport, width: usize) -> String {
-    let shares = [("flap\n[%]", Align::Point), ("lag\n[%]", Align::Point), ("torsion\n[%]", Align::Point)];
-    let bounds = [(String::from("bounds\n[rad/s]"), Align::Left)];
-    let headers = MODE_COLUMNS.map(own).into_iter().chain(bounds).chain(shares.map(own)).chain(MARGIN_COLUMNS.map(own));
+    let family = report.basis.family;
+    let shares = [("flap\n[%]", Align::Point), ("lag\n[%]", Align::Point), ("tors.\n[%]", Align::Point)];
+    let accuracy = accuracy(family, report.classical_functions);
+    let headers =
+        MODE_COLUMNS.map(own).into_iter().chain(accuracy).chain(shares.map(own)).chain(MARGIN_COLUMNS.map(own));
     let mut table = Table::new(headers);
     let bounded = |mode: &CoupledModeReport| Bounded::new(mode.frequency_rad_s, mode.lower_rad_s, mode.upper_rad_s);
     for mode in &report.modes {
@@ -62,6 +64,7 @@ fn coupled_table(report: &CoupledModesReport, width: usize) -> String {
                 Some(error) => Cell::text(format!("{} (about {error:.0e})", mode.bounds_missing.unwrap_or_default())),
                 None => bounds_cell(bounded(mode)),
             },
+            paper_cell(family, mode.classical_rad_s, mode.converged_rad_s),
             share(mode.shares.flap),
             share(mode.shares.lag),
             share(mode.shares.torsion),
@@ -70,34 +73,42 @@ fn coupled_table(report: &CoupledModesReport, width: usize) -> String {
         ]);
     }
     let heading = heading(&report.blade, &speed(report.speed_rad_s), &basis(&report.basis), &report.model.words, width);
-    heading + &table.render(width)
+    heading + &table.render(width) + &advice(family, report.modes.iter().map(bounded), width)
 }
 
-fn table(report: &ModesReport, functions: usize, width: usize) -> String {
-    let family = report.basis.family;
-    // Either way it is the paper's functions against the converged frequency. Bounds far apart leave
-    // no room for a unit in every row.
+/// Columns that say how good a frequency is. Either way the last is the paper's functions against the converged
+/// frequency; bounds far apart leave no room for a unit in every row.
+fn accuracy(family: BasisFamily, functions: usize) -> [(String, Align); 2] {
     let paper = match family {
         BasisFamily::Classical => String::from("error\n[%]"),
         BasisFamily::Piecewise => format!("paper\nN={functions}"),
     };
-    let accuracy = [(String::from("bounds\n[rad/s]"), Align::Left), (paper, Align::Point)];
+    [(String::from("bounds\n[rad/s]"), Align::Left), (paper, Align::Point)]
+}
+
+fn paper_cell(family: BasisFamily, classical: Option<f64>, converged: Option<f64>) -> Cell {
+    let error = percent(classical, converged);
+    match family {
+        BasisFamily::Classical => Cell::text(difference(error)),
+        BasisFamily::Piecewise => difference_cell(error),
+    }
+}
+
+fn table(report: &ModesReport, width: usize) -> String {
+    let family = report.basis.family;
+    let accuracy = accuracy(family, report.classical_functions);
     let mut table = Table::new(MODE_COLUMNS.map(own).into_iter().chain(accuracy).chain(MARGIN_COLUMNS.map(own)));
     let margins = bladefan_core::margins(report);
     let bounded = |mode: &ModeReport| Bounded::new(Some(mode.frequency_rad_s), mode.lower_rad_s, mode.upper_rad_s);
     for (index, mode) in report.modes.iter().enumerate() {
         let [nearest, distance] = margin_cells(margins.get(index));
-        let error = percent(mode.classical_rad_s, mode.converged_rad_s);
         table.row([
             Cell::label(&mode.label, Some(mode.dof)),
             Cell::number(mode.frequency_rad_s, 5),
             Cell::number(mode.frequency_hz, 5),
             Cell::maybe(mode.per_rev, 4),
             bounds_cell(bounded(mode)),
-            match family {
-                BasisFamily::Classical => Cell::text(difference(error)),
-                BasisFamily::Piecewise => difference_cell(error),
-            },
+            paper_cell(family, mode.classical_rad_s, mode.converged_rad_s),
             nearest,
             distance,
         ]);

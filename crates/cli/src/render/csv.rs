@@ -137,6 +137,8 @@ pub(crate) fn coupled_modes(report: &CoupledModesReport) -> Result<String, Failu
         "bounds missing",
         "error estimate [rad/s]",
         "separation [rad/s]",
+        "classical [rad/s]",
+        "converged [rad/s]",
         "nearest harmonic",
         "margin [/rev]",
     ]);
@@ -163,6 +165,8 @@ pub(crate) fn coupled_modes(report: &CoupledModesReport) -> Result<String, Failu
                 words(mode.bounds_missing.unwrap_or_default()),
                 maybe(mode.error_estimate_rad_s),
                 maybe(mode.separation_rad_s),
+                maybe(mode.classical_rad_s),
+                maybe(mode.converged_rad_s),
                 mode.nearest_harmonic.map(|harmonic| harmonic.to_string()).unwrap_or_default(),
                 maybe(mode.margin_per_rev),
             ]

@@ -66,6 +66,7 @@ fn json_reads_back_to_the_same_numbers() {
         if model == "coupled" {
             same(&json("modes"), &bladefan_core::coupled_modes(&blade, &settings).unwrap(), name);
             same(&json("shapes"), &bladefan_core::coupled_shapes(&blade, &settings).unwrap(), name);
+            same(&json("converge"), &bladefan_core::converge(&blade, &settings).unwrap(), name);
             continue;
         }
         same(&json("modes"), &bladefan_core::modes(&blade, &settings).unwrap(), name);
@@ -137,7 +138,7 @@ fn csv_has_the_same_numbers_under_headers_with_units() {
             converge.iter().find(|row| row[..3] == [mode, family, functions]).unwrap()
         };
         assert_eq!(row("2F", "classical", "1")[3..], ["", ""], "one function has no second mode");
-        let report = bladefan_core::converge(&blade, &Settings::default()).unwrap();
+        let report = bladefan_core::converge(&blade, &Settings::of(ModelKind::Uncoupled)).unwrap();
         let series = &report.series[1];
         let (paper, converged) = (series.classical_rad_s[14].unwrap(), series.converged_rad_s.unwrap());
         let paper_row = row("2F", "classical", "15");

@@ -5,7 +5,7 @@ use super::run;
 
 #[test]
 fn tables_look_like_this() {
-    let cases: [(&[&str], &str); 9] = [
+    let cases: [(&[&str], &str); 10] = [
         (&["check", "tm4760"], include_str!("tables/check.txt")),
         (&["modes", "tm4760", "--model", "uncoupled"], include_str!("tables/modes.txt")),
         (
@@ -16,8 +16,12 @@ fn tables_look_like_this() {
         (&["modes", "twisted"], include_str!("tables/modes-coupled.txt")),
         (&["fan", "twisted", "--modes", "6"], include_str!("tables/fan-coupled.txt")),
         (&["shapes", "twisted", "--modes", "2"], include_str!("tables/shapes-coupled.txt")),
+        (&["converge", "twisted", "--modes", "4", "--up-to", "5"], include_str!("tables/converge-coupled.txt")),
         (&["shapes", "uniform", "--dof", "flap"], include_str!("tables/shapes.txt")),
-        (&["converge", "tm4760", "--modes", "2", "--up-to", "5"], include_str!("tables/converge.txt")),
+        (
+            &["converge", "tm4760", "--model", "uncoupled", "--modes", "2", "--up-to", "5"],
+            include_str!("tables/converge.txt"),
+        ),
     ];
     for (arguments, expected) in cases {
         assert_eq!(run(arguments).good(), expected, "bladefan {}", arguments.join(" "));

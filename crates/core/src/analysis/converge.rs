@@ -1,8 +1,9 @@
 //! Frequency against the number of assumed functions.
 
 use super::basis::{Basis, Classical, converged, separated, solve};
+use super::coupled_converge::coupled_converge;
 use super::model::uncoupled;
-use super::{Settings, available, note, note_bounds, note_fewer, unsolvable, warnings};
+use super::{ModelKind, Settings, available, note, note_bounds, note_fewer, unsolvable, warnings};
 use crate::blade::Blade;
 use crate::converged::{Converged, TOLERANCE, Wanted, Work};
 use crate::dof::Dof;
@@ -29,7 +30,9 @@ const ONE_MORE: f64 = 1.5;
 /// Faults in the settings, or equations without an answer.
 pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Faults> {
     settings.check_converge()?;
-    settings.uncoupled()?;
+    if settings.model_for(blade) == ModelKind::Coupled {
+        return coupled_converge(blade, settings);
+    }
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
     let mut report = ConvergeReport {

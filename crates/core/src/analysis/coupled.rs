@@ -2,12 +2,15 @@
 
 use super::{Settings, margin};
 use crate::blade::{Blade, Property};
-use crate::coupled::{self, CoupledBlade, CoupledMode, Impossible, Missing, Options, TOLERANCE};
+use crate::coupled::{
+    self, Classical, CoupledBlade, CoupledMode, CoupledModes, Functions, Impossible, Missing, Options, TOLERANCE,
+};
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode, Faults, Warning};
 use crate::figures::short;
 use crate::functions::BasisFamily;
 use crate::label::Label;
+use crate::lagrange::classical_functions;
 use crate::modes::SolveError;
 use crate::numerics::eigen::EigenError;
 use crate::numerics::quadrature::GaussRules;
@@ -32,17 +35,28 @@ pub fn coupled_modes(blade: &Blade, settings: &Settings) -> Result<CoupledModesR
     settings.check()?;
     let (coupled, model, mut warnings) = model(blade, settings)?;
     let speed = settings.speed_or(blade.nominal_speed());
-    let found =
-        coupled::modes(&coupled, speed * speed, settings.coupled_modes, &GaussRules::new()).map_err(unsolvable)?;
-    note(&mut warnings, &found.modes, settings.coupled_modes);
-    let highest = found.modes.last().map_or(0.0, |mode| mode.eigenvalue.abs());
-    let rigid = NOTHING * found.separation.as_ref().map_or(highest, |rho| highest.max(*rho));
+    let (square, count, rules) = (speed * speed, settings.coupled_modes, GaussRules::new());
+    let found = coupled::modes(&coupled, square, count, &rules).map_err(unsolvable)?;
+    note(&mut warnings, &found.modes, count);
+    let functions = paper_functions(blade, settings.functions);
+    let paper = Classical::new(&coupled, &functions, &rules);
+    let by_paper = paper.modes(square, count, found.proven.as_ref()).map_err(unsolvable)?.modes;
+    let (shown, counts) = match settings.basis {
+        BasisFamily::Piecewise => (&found.modes, found.functions),
+        BasisFamily::Classical => (&by_paper, paper.counts()),
+    };
+    let rigid = rigid(&found);
     let mut numbers = [0; 3];
     let mut modes = Vec::with_capacity(found.modes.len());
-    for mode in &found.modes {
+    for (index, mode) in shown.iter().enumerate() {
         let label = label(&mode.shares, &mut numbers);
         if settings.dofs.contains(&label.dof) {
-            modes.push(mode_report(mode, label, speed, rigid, &found.separation));
+            let root = |mode: &CoupledMode| frequency_of(mode.eigenvalue, rigid);
+            modes.push(CoupledModeReport {
+                classical_rad_s: by_paper.get(index).and_then(root),
+                converged_rad_s: found.modes.get(index).and_then(root),
+                ..mode_report(mode, label, speed, rigid, &found.separation)
+            });
         }
     }
     Ok(CoupledModesReport {
@@ -50,10 +64,27 @@ pub fn coupled_modes(blade: &Blade, settings: &Settings) -> Result<CoupledModesR
         blade: blade.name().to_string(),
         speed_rad_s: speed,
         model,
-        basis: BasisReport { family: BasisFamily::Piecewise, functions: FunctionCounts::of_all(found.functions) },
+        basis: BasisReport { family: settings.basis, functions: FunctionCounts::of_all(counts) },
+        classical_functions: settings.functions,
         modes,
         warnings,
     })
+}
+
+/// λ within this of 0 is the rounding of a rigid motion [rad²/s²].
+pub(super) fn rigid(found: &CoupledModes) -> f64 {
+    let highest = found.modes.last().map_or(0.0, |mode| mode.eigenvalue.abs());
+    NOTHING * found.separation.as_ref().map_or(highest, |rho| highest.max(*rho))
+}
+
+/// ω of an eigenvalue that is 0 within `rigid`; `None` where unstable.
+pub(super) fn frequency_of(eigenvalue: f64, rigid: f64) -> Option<f64> {
+    if eigenvalue.abs() <= rigid { Some(0.0) } else { (eigenvalue >= 0.0).then(|| sqrt(eigenvalue)) }
+}
+
+/// The paper's functions of all three motions.
+pub(super) fn paper_functions(blade: &Blade, count: usize) -> Functions {
+    Dof::ALL.map(|dof| classical_functions(blade, dof, count))
 }
 
 fn mode_report(
@@ -96,6 +127,8 @@ fn mode_report(
         // λ̂ − λ is about the energy of the residual moments; ω has half of it.
         error_estimate_rad_s: missing.and(frequency).filter(|f| *f > 0.0).map(|frequency| 0.5 * mode.error / frequency),
         separation_rad_s: separation.as_ref().ok().copied().and_then(root),
+        classical_rad_s: None,
+        converged_rad_s: None,
     }
 }
 
@@ -110,7 +143,7 @@ pub(super) fn label(shares: &[f64; 3], numbers: &mut [usize; 3]) -> Label {
 }
 
 /// Says so where modes are too few or not converged.
-fn note(warnings: &mut Vec<Warning>, modes: &[CoupledMode], asked: usize) {
+pub(super) fn note(warnings: &mut Vec<Warning>, modes: &[CoupledMode], asked: usize) {
     let highest = modes.last().map_or(0.0, |mode| mode.eigenvalue.abs());
     let size = |mode: &CoupledMode| mode.eigenvalue.abs().max(1e-4 * highest);
     let error = modes.iter().map(|mode| mode.error / size(mode)).fold(0.0, maximum);

@@ -1,10 +1,10 @@
 //! Mode shapes of a coupled blade.
 
-use super::coupled::{label, model, unsolvable};
+use super::coupled::{label, model, paper_functions, unsolvable};
 use super::shapes::radii;
 use super::{Settings, ShapeScale};
 use crate::blade::Blade;
-use crate::coupled::{self, Sample};
+use crate::coupled::{self, Classical, Sample};
 use crate::dof::Dof;
 use crate::fault::Faults;
 use crate::functions::BasisFamily;
@@ -28,11 +28,23 @@ pub fn coupled_shapes(blade: &Blade, settings: &Settings) -> Result<CoupledShape
     let (coupled, model, warnings) = model(blade, settings)?;
     let speed = settings.speed_or(blade.nominal_speed());
     let r_m = radii(blade, settings);
-    let (found, samples) = coupled::shapes(&coupled, speed * speed, settings.coupled_modes, &r_m, &GaussRules::new())
-        .map_err(unsolvable)?;
+    let (square, count, rules) = (speed * speed, settings.coupled_modes, GaussRules::new());
+    let (modes, functions, samples) = match settings.basis {
+        BasisFamily::Piecewise => {
+            let (found, samples) = coupled::shapes(&coupled, square, count, &r_m, &rules).map_err(unsolvable)?;
+            (found.modes, found.functions, samples)
+        }
+        BasisFamily::Classical => {
+            let functions = paper_functions(blade, settings.functions);
+            let paper = Classical::new(&coupled, &functions, &rules);
+            let found = paper.modes(square, count, None).map_err(unsolvable)?;
+            let samples = paper.samples(&found, square, &r_m);
+            (found.modes, paper.counts(), samples)
+        }
+    };
     let mut numbers = [0; 3];
     let mut shapes = Vec::new();
-    for (mode, samples) in found.modes.iter().zip(&samples) {
+    for (mode, samples) in modes.iter().zip(&samples) {
         let label = label(&mode.shares, &mut numbers);
         if !settings.dofs.contains(&label.dof) {
             continue;
@@ -61,7 +73,7 @@ pub fn coupled_shapes(blade: &Blade, settings: &Settings) -> Result<CoupledShape
         blade: blade.name().to_string(),
         speed_rad_s: speed,
         model,
-        basis: BasisReport { family: BasisFamily::Piecewise, functions: FunctionCounts::of_all(found.functions) },
+        basis: BasisReport { family: settings.basis, functions: FunctionCounts::of_all(functions) },
         r_m,
         radius_m: blade.radius(),
         shapes,

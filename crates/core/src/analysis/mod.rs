@@ -6,6 +6,7 @@ mod basis;
 mod compare;
 mod converge;
 mod coupled;
+mod coupled_converge;
 mod coupled_fan;
 mod coupled_shapes;
 mod fan;

@@ -273,9 +273,6 @@ impl Settings {
             let broken = speed_rule(speed);
             require(broken.is_none(), "speed", &Shortest(speed), broken.unwrap_or_default());
         }
-        let coupled = self.model == Some(ModelKind::Coupled);
-        let classical = self.basis == BasisFamily::Classical;
-        require(!coupled || !classical, "basis", &"classical", "belongs to the uncoupled model");
         if let Some(pitch) = self.pitch {
             require(pitch.abs() <= MOST_PITCH, "pitch", &Shortest(pitch), "must be between -1e6 and 1e6 rad");
         }

@@ -35,6 +35,17 @@ pub struct Assembly {
 impl Assembly {
     /// Of a blade on a layout.
     pub fn new(blade: &CoupledBlade, layout: &Layout, rules: &GaussRules) -> Self {
+        let on = Self::to_sum_on(blade, layout, rules);
+        let functions: Vec<Vec<PointFields>> = on.elements.iter().map(Element::functions).collect();
+        let matrices = |energy| -> Vec<Square> {
+            on.elements.iter().zip(&functions).map(|(element, functions)| element.matrix(functions, energy)).collect()
+        };
+        let [elastic, centrifugal, inertia] = [Energy::Elastic, Energy::Centrifugal, Energy::Inertia].map(matrices);
+        Self { functions, elastic, centrifugal, inertia, ..on }
+    }
+
+    /// The elements alone, without functions of their own, for sums along the blade.
+    pub fn to_sum_on(blade: &CoupledBlade, layout: &Layout, rules: &GaussRules) -> Self {
         let mut known: Vec<(usize, Rc<Rule>)> = Vec::new();
         let mut rule = |order: usize| -> Rc<Rule> {
             if let Some((_, rule)) = known.iter().find(|(known, _)| *known == order) {
@@ -54,12 +65,8 @@ impl Assembly {
                 Element::new(stretch, orders, rule(highest), lumps(blade, stretch.from, stretch.to))
             })
             .collect();
-        let functions: Vec<Vec<PointFields>> = elements.iter().map(Element::functions).collect();
         let roots = Roots::new(blade, elements.iter().map(|element| element.from));
-        let [elastic, centrifugal, inertia] = [Energy::Elastic, Energy::Centrifugal, Energy::Inertia].map(|energy| {
-            elements.iter().zip(&functions).map(|(element, functions)| element.matrix(functions, energy)).collect()
-        });
-        Self { elements, functions, roots, elastic, centrifugal, inertia }
+        Self { elements, roots, functions: vec![], elastic: vec![], centrifugal: vec![], inertia: vec![] }
     }
 
     /// α K + s C + κ M of every element, without the springs.

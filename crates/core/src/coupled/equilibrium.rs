@@ -16,7 +16,7 @@ use alloc::vec::Vec;
 use nalgebra::DMatrix;
 
 /// Fields of modes along the whole blade.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct ModeFields {
     /// Mode by mode, element by element.
     pub at: Vec<Vec<PointFields>>,
@@ -44,6 +44,20 @@ impl ModeFields {
         fields
     }
 
+    /// Adds a mode without elements.
+    pub fn push(&mut self) {
+        self.at.push(Vec::new());
+        self.outer.push(Vec::new());
+        self.inner.push(Vec::new());
+    }
+
+    /// Adds the next element of a mode: fields at its points, states at its inner and outer end.
+    pub fn append(&mut self, mode: usize, at: PointFields, inner: [f64; STATES], outer: [f64; STATES]) {
+        self.at[mode].push(at);
+        self.inner[mode].push(inner);
+        self.outer[mode].push(outer);
+    }
+
     /// The state of a mode at the outer end of an element.
     pub fn outer_state(&self, mode: usize, element: usize) -> [f64; STATES] {
         self.outer[mode][element]
@@ -61,10 +75,10 @@ impl ModeFields {
         for column in parts.column_iter() {
             let mut at: Vec<PointFields> = Vec::with_capacity(elements);
             for element in 0..elements {
-                let mut sum = PointFields::default();
+                let longest = self.at.iter().flat_map(|mode| &mode[element]).map(Vec::len).max();
+                let mut sum: PointFields = core::array::from_fn(|_| vec![0.0; longest.unwrap_or(0)]);
                 for (mode, part) in column.iter().enumerate() {
                     for (sum, own) in sum.iter_mut().zip(&self.at[mode][element]) {
-                        sum.resize(own.len(), 0.0);
                         crate::numerics::vector::axpy(sum, *part, own);
                     }
                 }

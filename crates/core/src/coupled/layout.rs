@@ -13,7 +13,9 @@ const TAPER: f64 = 2.5;
 /// Most elements in all, but for one per stretch between stations.
 const MOST_ELEMENTS: usize = 2000;
 /// Fewest and most polynomials of a strain.
-const ORDERS: (usize, usize) = (4, 18);
+const ORDERS: (usize, usize) = (4, MOST_ORDER);
+/// Most polynomials of a strain.
+pub const MOST_ORDER: usize = 18;
 /// By how many an order is raised.
 const RAISE: usize = 3;
 /// Eigenvalues tried for the highest mode, a factor of ten to each side of f64's useful range.

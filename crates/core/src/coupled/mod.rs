@@ -8,6 +8,7 @@ mod assembly;
 mod blade;
 mod bounds;
 mod certificate;
+mod classical;
 mod element;
 mod elimination;
 mod equilibrium;
@@ -21,6 +22,7 @@ mod terms;
 
 pub use blade::CoupledBlade;
 pub use bounds::Missing;
+pub use classical::{Classical, Functions};
 pub use from_blade::{Impossible, Options};
 pub use range::{Bounded, Range, RangeMode};
 pub use sample::Sample;
@@ -28,11 +30,12 @@ pub use sample::Sample;
 use crate::numerics::eigen::{EigenError, lowest};
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::maximum;
+use alloc::vec;
 use alloc::vec::Vec;
 use assembly::{Assembly, Vector, sum};
-use bounds::{lower_bounds, prove, rounding};
+use bounds::{Proof, lower_bounds, prove, rounding};
 use equilibrium::{ModeEnergies, ModeFields, energies, residuals};
-use layout::{Layout, first_layout, raise};
+use layout::{Layout, MOST_ORDER, first_layout, raise};
 use nalgebra::{DMatrix, DVector};
 
 /// Modes beyond those asked for, among which a separation is sought.
@@ -67,6 +70,14 @@ pub struct CoupledMode {
     pub shares: [f64; 3],
 }
 
+/// What was proven of a blade at one speed, whatever the functions.
+#[derive(Clone, Debug)]
+pub struct Proven {
+    proof: Proof,
+    /// Lower bounds of the eigenvalues below ρ [rad²/s²].
+    lower: Vec<f64>,
+}
+
 /// The lowest modes of a coupled blade at one speed.
 #[derive(Clone, Debug)]
 pub struct CoupledModes {
@@ -74,6 +85,8 @@ pub struct CoupledModes {
     pub modes: Vec<CoupledMode>,
     /// ρ of the bounds [rad²/s²], or why there are none.
     pub separation: Result<f64, Missing>,
+    /// The same for functions of any kind.
+    pub proven: Option<Proven>,
     /// Number of functions of flap, lag and torsion.
     pub functions: [usize; 3],
 }
@@ -109,6 +122,31 @@ fn converged(
     best.ok_or(EigenError::NotConverged)
 }
 
+/// λ of the `count` lowest modes at Ω² = s with one polynomial of every strain on each element, two, three, … until
+/// they are converged, each with the number of functions.
+///
+/// # Errors
+/// [`EigenError`].
+pub fn steps(
+    blade: &CoupledBlade,
+    s: f64,
+    count: usize,
+    rules: &GaussRules,
+) -> Result<Vec<(usize, Vec<f64>)>, EigenError> {
+    let first = first_layout(blade, s, count + BEYOND);
+    let mut steps = Vec::new();
+    for order in 1..=MOST_ORDER {
+        let layout = Layout { orders: vec![[order; 3]; first.orders.len()], ..first.clone() };
+        let (assembly, solved) = solve(blade, &layout, s, count + BEYOND, rules)?;
+        let values = solved.values[..count.min(solved.values.len())].to_vec();
+        steps.push((assembly.unknowns_by_motion().iter().sum(), values));
+        if solved.worst <= TOLERANCE {
+            break;
+        }
+    }
+    Ok(steps)
+}
+
 /// The lowest modes at Ω² = s with their shapes at ascending radii, of unit inertia.
 ///
 /// # Errors
@@ -123,7 +161,10 @@ pub fn shapes(
     let (layout, assembly, solved) = converged(blade, s, count, rules)?;
     let stretches = blade.stretches(&layout.radii);
     let modes = &solved.modes[..count.min(solved.modes.len())];
-    let samples = sample::sample(&assembly, &stretches, modes, &solved.values, s, radii);
+    let fields = ModeFields::new(&assembly, modes);
+    let at =
+        |mode: usize, element: usize, r: f64| sample::fields_at(&assembly.elements[element], &modes[mode][element], r);
+    let samples = sample::sample(&assembly, &stretches, (&fields, &at), &solved.values, s, radii);
     Ok((solved.bounded(blade, &assembly, s, count, &layout, rules), samples))
 }
 
@@ -207,7 +248,16 @@ impl Solved {
             bounds: bounds(i),
             shares: shares::shares(&kinetic, &unit(i)),
         };
-        CoupledModes { modes: (0..count).map(mode).collect(), separation, functions: assembly.unknowns_by_motion() }
+        let all = |proof: Proof| -> Option<Vec<f64>> {
+            (0..proof.below).map(|i| bounds(i).map(|(lower, _)| lower)).collect()
+        };
+        let proven = proof.ok().and_then(|proof| Some(Proven { proof, lower: all(proof)? }));
+        CoupledModes {
+            modes: (0..count).map(mode).collect(),
+            separation,
+            proven,
+            functions: assembly.unknowns_by_motion(),
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Shapes of coupled modes at any radius, with the forces and moments that balance their loads.
 
-use super::assembly::{Assembly, Vector};
+use super::assembly::Assembly;
 use super::blade::CoupledStretch;
 use super::element::{Element, PointFields, STATES};
 use super::equilibrium::{Handed, ModeFields, hand_on};
@@ -20,17 +20,20 @@ pub struct Sample {
     pub forces: Handed,
 }
 
-/// Modes with eigenvalues λ at Ω² = s, sampled at ascending radii.
+/// The fields of a mode on an element at a radius.
+pub type At<'a> = &'a dyn Fn(usize, usize, f64) -> [f64; FIELDS];
+
+/// Modes with eigenvalues λ at Ω² = s, sampled at ascending radii; they are given by their fields at the points of
+/// the elements and at any radius.
 pub fn sample(
     assembly: &Assembly,
     stretches: &[CoupledStretch],
-    modes: &[Vector],
+    (fields, at): (&ModeFields, At<'_>),
     values: &[f64],
     s: f64,
     radii: &[f64],
 ) -> Vec<Vec<Sample>> {
-    let fields = ModeFields::new(assembly, modes);
-    let sampled = |(mode, (function, value)): (usize, (&Vector, &f64))| {
+    let sampled = |(mode, value): (usize, &f64)| {
         let mut samples = vec![Sample::default(); radii.len()];
         let mut handed: Handed = [0.0; STATES];
         for (index, element) in assembly.elements.iter().enumerate().rev() {
@@ -42,7 +45,8 @@ pub fn sample(
             for (r, sample) in radii.iter().zip(&mut samples).skip(first) {
                 let last = index + 1 == assembly.elements.len();
                 if *r < to || (last && *r <= to * (1.0 + 4.0 * f64::EPSILON)) {
-                    *sample = within(element, &stretches[index], &function[index], (*value, s), *r, &handed);
+                    let here = |r: f64| at(mode, index, r);
+                    *sample = within(element, &stretches[index], &here, (*value, s), *r, &handed);
                 }
             }
             pass(element, &fields.at[mode][index], (*value, s), &mut handed);
@@ -50,7 +54,7 @@ pub fn sample(
         }
         samples
     };
-    modes.iter().zip(values).enumerate().map(sampled).collect()
+    values.iter().take(fields.count()).enumerate().map(sampled).collect()
 }
 
 /// What an element hands inboard.
@@ -66,7 +70,7 @@ fn pass(element: &Element, fields: &PointFields, (value, s): (f64, f64), handed:
 fn within(
     element: &Element,
     stretch: &CoupledStretch,
-    coefficients: &[f64],
+    at: &dyn Fn(f64) -> [f64; FIELDS],
     (value, s): (f64, f64),
     r: f64,
     outboard: &Handed,
@@ -81,7 +85,7 @@ fn within(
     }
     for (node, weight) in element.rule_nodes() {
         let x = r + 0.5 * length * (1.0 + node);
-        let loads = loads_at(element, stretch, coefficients, (value, s), x);
+        let loads = loads_at(stretch, &at(x), (value, s), x);
         let weight = 0.5 * length * weight;
         for moved in [0, 2] {
             let field = 3 * moved / 2;
@@ -90,7 +94,8 @@ fn within(
         }
         forces[4] += weight * loads[6];
     }
-    let here = loads_at(element, stretch, coefficients, (value, s), r);
+    let fields = at(r);
+    let here = loads_at(stretch, &fields, (value, s), r);
     forces[1] += here[2];
     forces[3] += here[5];
     forces[4] += here[7];
@@ -98,24 +103,17 @@ fn within(
         let states = super::equilibrium::STATE_RANGE[dof].clone();
         forces[states].fill(0.0);
     }
-    Sample { fields: fields_at(element, coefficients, r), forces }
+    Sample { fields, forces }
 }
 
 /// −Ω²C + λM on the fields at a radius.
-fn loads_at(
-    element: &Element,
-    stretch: &CoupledStretch,
-    coefficients: &[f64],
-    (value, s): (f64, f64),
-    r: f64,
-) -> [f64; FIELDS] {
-    let fields = fields_at(element, coefficients, r);
+fn loads_at(stretch: &CoupledStretch, fields: &[f64; FIELDS], (value, s): (f64, f64), r: f64) -> [f64; FIELDS] {
     let weights = SectionWeights::new(&stretch.section(r)).combined(0.0, -s, value);
-    weights.map(|row| dot(&row, &fields))
+    weights.map(|row| dot(&row, fields))
 }
 
 /// The fields of a sum of an element's functions at a radius.
-fn fields_at(element: &Element, coefficients: &[f64], r: f64) -> [f64; FIELDS] {
+pub fn fields_at(element: &Element, coefficients: &[f64], r: f64) -> [f64; FIELDS] {
     let half = element.half;
     let x = r - element.from;
     let most = element.orders.iter().fold(0, |most, order| most.max(*order));

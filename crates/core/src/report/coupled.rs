@@ -59,6 +59,10 @@ report! {
         error_estimate_rad_s: Option<f64>,
         /// √ρ: so many eigenvalues as are bounded are proven to lie below it.
         separation_rad_s: Option<f64>,
+        /// The paper's functions, as many as `--functions` says; `None` where they are too few or it is unstable.
+        classical_rad_s: Option<f64>,
+        /// The piecewise functions.
+        converged_rad_s: Option<f64>,
     }
 }
 report! {
@@ -74,6 +78,8 @@ report! {
         model: ModelReport,
         /// Assumed functions.
         basis: BasisReport,
+        /// How many of the paper's functions of each motion are behind `classical_rad_s`.
+        classical_functions: usize,
         /// The modes.
         modes: Vec<CoupledModeReport>,
         /// Warnings of the blade.

@@ -65,7 +65,6 @@ pub fn lowest(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<Eigen,
 ///
 /// # Errors
 /// [`EigenError`].
-#[cfg_attr(not(test), expect(dead_code, reason = "one degree of freedom alone is stable; coupled ones may not be"))]
 pub fn lowest_of_any_sign(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<Eigen, EigenError> {
     check(g, m, count)?;
     rigid::beside(g, m, count, |g, m, rigid| {
