@@ -104,6 +104,7 @@ fn mode_report(
     let missing = separation.as_ref().err().map(|missing| match missing {
         Missing::Separation => "separation not proven",
         Missing::Shift => "no shift",
+        Missing::Unstable => "statically unstable",
     });
     let [flap, lag, torsion] = mode.shares;
     CoupledModeReport {

@@ -13,7 +13,7 @@ const SEPARATION: f64 = 0.8;
 /// A gap of this share of the widest is wide enough to take fewer modes.
 const WIDE: f64 = 1.3;
 /// θ and σ/ρ, the first proven of which is taken; each contains the one before.
-const SHIFTS: [(f64, f64); 6] = [(0.1, 0.01), (0.25, 0.03), (0.5, 0.1), (0.65, 0.3), (0.8, 1.0), (0.9, 3.0)];
+pub const SHIFTS: [(f64, f64); 6] = [(0.1, 0.01), (0.25, 0.03), (0.5, 0.1), (0.65, 0.3), (0.8, 1.0), (0.9, 3.0)];
 /// Relative rounding of energies that are sums over the points of a blade, generously.
 pub const ROUNDING: f64 = 1e-13;
 /// Allowance for the quadrature of the residual moments.
@@ -26,6 +26,8 @@ pub enum Missing {
     Separation,
     /// No θ and σ with which θ(K + F) + sC + σM is proven not to be negative.
     Shift,
+    /// With Coriolis terms: that the blade is statically stable could not be proven.
+    Unstable,
 }
 
 /// What was proven.
@@ -54,24 +56,28 @@ pub fn prove(assembly: &Assembly, values: &[f64], wanted: usize, s: f64) -> Resu
 
 /// How many eigenvalues lie below ρ, at most, and ρ, between two of the values from the `wanted`-th on.
 pub fn prove_separation(assembly: &Assembly, values: &[f64], wanted: usize, s: f64) -> Option<(usize, f64)> {
+    separations(values, wanted).find(|&(n, rho)| {
+        let form = Form { alpha: 1.0, s, kappa: -rho, turning: 0.0 };
+        rho > values[n - 1] && rho > 0.0 && index(assembly, form).is_some_and(|below| below <= n)
+    })
+}
+
+/// After how many values, from the `wanted`-th on, to part them and where, the widest gaps first.
+pub fn separations(values: &[f64], wanted: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
     let last = values.len().saturating_sub(1);
     let gap = |n: usize| (values[n] - values[n - 1]) / values[n].abs().max(f64::MIN_POSITIVE);
     let candidates: Vec<usize> = (wanted.min(last).max(1)..=last).collect();
     let widest = candidates.iter().map(|n| gap(*n)).fold(0.0, f64::max);
     let (wide, narrow): (Vec<usize>, Vec<usize>) = candidates.into_iter().partition(|n| gap(*n) * WIDE >= widest);
-    wide.into_iter().chain(narrow).find_map(|n| {
-        let rho = (1.0 - SEPARATION) * values[n - 1] + SEPARATION * values[n];
-        if !(rho > values[n - 1] && rho > 0.0) {
-            return None;
-        }
-        (index(assembly, Form { alpha: 1.0, s, kappa: -rho })? <= n).then_some((n, rho))
-    })
+    wide.into_iter().chain(narrow).map(|n| (n, (1.0 - SEPARATION) * values[n - 1] + SEPARATION * values[n]))
 }
 
 /// θ and σ, about in proportion to ρ, with which θ(K + F) + sC + σM is not negative.
 pub fn prove_shift(assembly: &Assembly, s: f64, rho: f64) -> Option<(f64, f64)> {
     let shifts = SHIFTS.into_iter().map(|(theta, share)| (theta, share * rho));
-    shifts.into_iter().find(|&(theta, sigma)| index(assembly, Form { alpha: theta, s, kappa: sigma }) == Some(0))
+    shifts
+        .into_iter()
+        .find(|&(theta, sigma)| index(assembly, Form { alpha: theta, s, kappa: sigma, turning: 0.0 }) == Some(0))
 }
 
 /// Lower bounds of the eigenvalues below ρ, from as many Ritz values and the energies G of their residual

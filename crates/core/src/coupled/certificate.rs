@@ -10,6 +10,8 @@ use super::blade::CoupledSection;
 use super::element::{Element, PointFields, STATES, Square};
 use super::elimination::Factor;
 use super::equilibrium::{bending_parts, moments};
+use super::gyroscopic::Gyroscopic;
+use super::hermitian::{Hermitian, negative};
 use crate::lagrange::Energy;
 use crate::numerics::scalar::{hypot, maximum, sqrt};
 use crate::numerics::vector::{axpy, dot, scale};
@@ -36,6 +38,8 @@ pub struct Form {
     pub s: f64,
     /// κ.
     pub kappa: f64,
+    /// τ of iτG with Coriolis terms, else 0.
+    pub turning: f64,
 }
 
 /// An upper bound of the number of negative directions of the form; `None` where the elements are too coarse
@@ -47,6 +51,9 @@ pub fn index(assembly: &Assembly, form: Form) -> Option<usize> {
     if epsilon.is_nan() || epsilon >= 1.0 {
         return None;
     }
+    if form.turning != 0.0 {
+        return index_turning(assembly, lowered, SLACK / (1.0 - epsilon));
+    }
     let mut forms = assembly.forms(lowered.alpha, lowered.s, lowered.kappa);
     for ((element, functions), form) in assembly.elements.iter().zip(&assembly.functions).zip(&mut forms) {
         form.add(-SLACK / (1.0 - epsilon), &untaken(element, functions, lowered)?);
@@ -54,8 +61,37 @@ pub fn index(assembly: &Assembly, form: Form) -> Option<usize> {
     Some(Factor::new(&assembly.elements, forms, &assembly.roots, lowered.alpha, false)?.negative())
 }
 
+/// The same of the Hermitian form α(K + F) + sC + κM + iτG, of whose untaken energy `share` is taken off.
+fn index_turning(assembly: &Assembly, form: Form, share: f64) -> Option<usize> {
+    let g = Gyroscopic::new(assembly);
+    let real = assembly.forms(form.alpha, form.s, form.kappa);
+    let each = assembly.elements.iter().zip(&assembly.functions).zip(real.into_iter().zip(g.matrices(assembly)));
+    type Parts<'a> = ((&'a Element, &'a Vec<PointFields>), (Square, Square));
+    let hermitian = |(index, ((element, functions), (mut re, skew))): (usize, Parts<'_>)| {
+        let mut im = Square::zero(re.order());
+        im.add(form.turning, &skew);
+        let turned = |own: &PointFields| {
+            let mut loads = PointFields::default();
+            g.couplings[index].load(form.turning, own, &mut loads);
+            loads
+        };
+        let loads = functions.iter().map(turned).collect();
+        let still = left_over(element, functions, form, still_loads(element, functions, form), true)?;
+        let moved = left_over(element, functions, form, loads, false)?;
+        for j in 0..re.order() {
+            for i in 0..re.order() {
+                *re.at_mut(i, j) -= share * (dot(&still[i], &still[j]) + dot(&moved[i], &moved[j]));
+                *im.at_mut(i, j) -= share * (dot(&still[i], &moved[j]) - dot(&moved[i], &still[j]));
+            }
+        }
+        Some(Hermitian { re, im })
+    };
+    let forms: Option<Vec<Hermitian>> = each.enumerate().map(hermitian).collect();
+    negative(&assembly.elements, forms?, &assembly.roots, form.alpha)
+}
+
 /// ε of an element: on the rest B ≥ −ε α K but for α K itself.
-fn rest(element: &Element, Form { alpha, s, kappa }: Form) -> f64 {
+fn rest(element: &Element, Form { alpha, s, kappa, turning }: Form) -> f64 {
     let half = element.half;
     let bending = [element.orders[0], element.orders[1]].into_iter().filter(|order| *order > 0).min();
     // What the displacement and the rotation of a strain without its first b polynomials are at most.
@@ -79,6 +115,8 @@ fn rest(element: &Element, Form { alpha, s, kappa }: Form) -> f64 {
     let offset = largest(|p| (p.tension * p.tension_offset).abs());
     let racket = largest(|p| p.racket().abs());
     let rotary = largest(|p| p.rotary * p.inertia[0].max(p.inertia[1]));
+    let heaviest = largest(|p| p.inertia[0].max(p.inertia[1]));
+    let turning = turning.abs();
     let twisting = |p: &CoupledSection| {
         -kappa * (p.inertia[0] + p.inertia[1])
             - s * (p.propeller() * p.double_angle().1 + p.torque_offset * p.moment() * p.angle.1)
@@ -88,10 +126,12 @@ fn rest(element: &Element, Form { alpha, s, kappa }: Form) -> f64 {
     let (sp, product) = (sp.abs(), (sp * cp).abs());
     let p = eta0 * eta0 * (maximum(s - kappa, 0.0) + s * sp * sp) * mass
         + 2.0 * s * product * moment * eta0 * eta1
-        + (maximum(-kappa, 0.0) + s * cp * cp) * rotary * eta1 * eta1;
+        + (maximum(-kappa, 0.0) + s * cp * cp) * rotary * eta1 * eta1
+        + turning * (2.0 * sp * mass * eta0 * eta0 + 4.0 * cp * moment * eta0 * eta1);
     let q = eta_t
         * ((kappa * moment).abs() * eta0
-            + s * (arm * eta1 + moment * eta0 + offset + sp * sp * moment * eta0 + product * racket * eta1));
+            + s * (arm * eta1 + moment * eta0 + offset + sp * sp * moment * eta0 + product * racket * eta1)
+            + 2.0 * turning * (sp * moment * eta0 + cp * heaviest * eta1));
     let z = eta_t * eta_t * (twisting + s * product * arm);
     // The top eigenvalue of [[p/D, q/√(DJ)], [q/√(DJ), z/J]]; what does not move has no part in it.
     let (p, q) = if bending.is_some() { (p / stiffness, q / sqrt(stiffness * torsional)) } else { (0.0, 0.0) };
@@ -101,7 +141,32 @@ fn rest(element: &Element, Form { alpha, s, kappa }: Form) -> f64 {
 
 /// E: the complementary energy of the residuals of the element's functions, less what the polynomials take up.
 pub(super) fn untaken(element: &Element, functions: &[PointFields], form: Form) -> Option<Square> {
-    let sum = [(Energy::Centrifugal, form.s), (Energy::Inertia, form.kappa)];
+    let left = left_over(element, functions, form, still_loads(element, functions, form), true)?;
+    let mut energy = Square::zero(element.count());
+    for (j, row) in left.iter().enumerate() {
+        for (i, other) in left.iter().enumerate().skip(j) {
+            let value = dot(other, row);
+            *energy.at_mut(i, j) = value;
+            *energy.at_mut(j, i) = value;
+        }
+    }
+    Some(energy)
+}
+
+/// Loads of sC + κM on the element's functions.
+fn still_loads(element: &Element, functions: &[PointFields], form: Form) -> Vec<PointFields> {
+    element.loads(functions, &[(Energy::Centrifugal, form.s), (Energy::Inertia, form.kappa)])
+}
+
+/// Moments of loads on the element's functions, with or without those of their strains, less what the polynomials
+/// take up, as rows whose squares sum to their energy.
+fn left_over(
+    element: &Element,
+    functions: &[PointFields],
+    form: Form,
+    loads: Vec<PointFields>,
+    strained: bool,
+) -> Option<Vec<Vec<f64>>> {
     let points = element.points();
     // The polynomials as moments of their own, orthonormal in the metric of the energy.
     let mut taken: Vec<Vec<f64>> = Vec::with_capacity(element.strains());
@@ -124,7 +189,9 @@ pub(super) fn untaken(element: &Element, functions: &[PointFields], form: Form) 
         }
         let mut moments = moments(element, &loads, &mut [0.0; STATES]);
         let mut elastic = PointFields::default();
-        element.couplings(Energy::Elastic).load(form.alpha, own, &mut elastic);
+        if strained {
+            element.couplings(Energy::Elastic).load(form.alpha, own, &mut elastic);
+        }
         for (moment, strain) in moments.iter_mut().zip(STRAINS) {
             axpy(moment, 1.0, &elastic[strain]);
         }
@@ -132,16 +199,7 @@ pub(super) fn untaken(element: &Element, functions: &[PointFields], form: Form) 
         take_off(&mut row, &taken);
         row
     };
-    let left: Vec<Vec<f64>> = functions.iter().zip(element.loads(functions, &sum)).map(residual).collect();
-    let mut energy = Square::zero(element.count());
-    for (j, row) in left.iter().enumerate() {
-        for (i, other) in left.iter().enumerate().skip(j) {
-            let value = dot(other, row);
-            *energy.at_mut(i, j) = value;
-            *energy.at_mut(j, i) = value;
-        }
-    }
-    Some(energy)
+    Some(functions.iter().zip(loads).map(residual).collect())
 }
 
 /// Takes off what lies along orthonormal rows, twice for full digits.

@@ -44,10 +44,15 @@ pub struct Couplings(pub Vec<(usize, usize, Vec<f64>)>);
 
 impl Couplings {
     fn new(weights: &[SectionWeights], of: fn(&SectionWeights) -> &Weights) -> Self {
+        Self::of(&weights.iter().map(|weights| *of(weights)).collect::<Vec<_>>())
+    }
+
+    /// From the weights at every point.
+    pub fn of(weights: &[Weights]) -> Self {
         let mut pairs = Vec::new();
         for row in 0..FIELDS {
             for column in 0..FIELDS {
-                let along: Vec<f64> = weights.iter().map(|weights| of(weights)[row][column]).collect();
+                let along: Vec<f64> = weights.iter().map(|weights| weights[row][column]).collect();
                 if along.iter().any(|weight| *weight != 0.0) {
                     pairs.push((row, column, along));
                 }
@@ -209,6 +214,27 @@ impl Element {
         }
         if let Some(hung) = &self.hung {
             let hung = hung.of(energy);
+            matrix.add_outer(&self.transfer(), |p, q| hung[STATE_FIELDS[p]][STATE_FIELDS[q]]);
+        }
+        matrix
+    }
+
+    /// An antisymmetric matrix of the element, of couplings at its points and of what hangs at its outer end.
+    pub fn skew(&self, functions: &[PointFields], couplings: &Couplings, hung: Option<Weights>) -> Square {
+        let mut matrix = Square::zero(self.count());
+        for (j, own) in functions.iter().enumerate() {
+            let mut loads = PointFields::default();
+            couplings.load(1.0, own, &mut loads);
+            for load in &mut loads {
+                load.iter_mut().zip(&self.weight).for_each(|(load, w)| *load *= w);
+            }
+            for (i, other) in functions.iter().enumerate().skip(j + 1) {
+                let sum = work(other, &loads);
+                *matrix.at_mut(i, j) = sum;
+                *matrix.at_mut(j, i) = -sum;
+            }
+        }
+        if let Some(hung) = hung {
             matrix.add_outer(&self.transfer(), |p, q| hung[STATE_FIELDS[p]][STATE_FIELDS[q]]);
         }
         matrix

@@ -65,6 +65,11 @@ impl Roots {
         &self.at[element].free
     }
 
+    /// States that are 0 at the inner end of an element.
+    pub fn held(&self, element: usize) -> &[usize] {
+        &self.at[element].held
+    }
+
     /// The springs between two states that are free at one root [N·m/rad].
     pub fn spring(&self, p: usize, q: usize) -> f64 {
         match (p, q) {

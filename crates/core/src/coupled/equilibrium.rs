@@ -5,6 +5,7 @@
 use super::assembly::{Assembly, Vector};
 use super::blade::CoupledBlade;
 use super::element::{Element, FIELDS_OF, PointFields, STATE_FIELDS, STATES, work};
+use super::gyroscopic::Gyroscopic;
 use super::terms::Weights;
 use crate::blade::RootCondition;
 use crate::dof::Dof;
@@ -97,6 +98,25 @@ impl ModeFields {
             sums.inner.push(states(&self.inner));
         }
         sums
+    }
+}
+
+impl ModeFields {
+    /// G between two modes.
+    pub fn turned(&self, assembly: &Assembly, g: &Gyroscopic, row: usize, column: usize) -> f64 {
+        let mut sum = 0.0;
+        for (index, element) in assembly.elements.iter().enumerate() {
+            let mut loads = PointFields::default();
+            g.couplings[index].load(1.0, &self.at[column][index], &mut loads);
+            for load in &mut loads {
+                load.iter_mut().zip(&element.weight).for_each(|(load, w)| *load *= w);
+            }
+            sum += work(&self.at[row][index], &loads);
+            if let Some(hung) = &g.hung[index] {
+                sum += node_energy(hung, &self.outer[row][index], &self.outer[column][index]);
+            }
+        }
+        sum
     }
 }
 
@@ -274,6 +294,30 @@ pub fn residuals(blade: &CoupledBlade, assembly: &Assembly, fields: &ModeFields,
     found
 }
 
+/// Coriolis loads in a residual: `factor` times G of another mode.
+#[derive(Clone, Copy, Debug)]
+pub struct Turned<'a> {
+    /// G.
+    pub g: &'a Gyroscopic,
+    /// The mode.
+    pub other: usize,
+    /// Its factor.
+    pub factor: f64,
+}
+
+/// The residual moment of a mode at Ω² = s and λ with Coriolis loads, as one row.
+pub fn residual_turned(
+    blade: &CoupledBlade,
+    assembly: &Assembly,
+    fields: &ModeFields,
+    mode: usize,
+    (s, value): (f64, f64),
+    turned: &Turned<'_>,
+) -> Vec<f64> {
+    let factors = Factors { elastic: 1.0, centrifugal: s, inertia: value };
+    residual_of(blade, assembly, fields, mode, factors, Some(turned)).concat()
+}
+
 /// How much of each load is in a residual: −(K + F), −Ω²C, +λM.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Factors {
@@ -294,6 +338,17 @@ pub fn residual(
     mode: usize,
     factors: Factors,
 ) -> Vec<Vec<f64>> {
+    residual_of(blade, assembly, fields, mode, factors, None)
+}
+
+fn residual_of(
+    blade: &CoupledBlade,
+    assembly: &Assembly,
+    fields: &ModeFields,
+    mode: usize,
+    factors: Factors,
+    turned: Option<&Turned<'_>>,
+) -> Vec<Vec<f64>> {
     let mut handed: Handed = [0.0; STATES];
     let mut parts: Vec<Vec<f64>> = vec![Vec::new(); assembly.elements.len()];
     let mut at_roots = Vec::new();
@@ -309,6 +364,12 @@ pub fn residual(
         let mut loads: PointFields = core::array::from_fn(|_| vec![0.0; element.points()]);
         element.couplings(Energy::Centrifugal).load(-factors.centrifugal, here, &mut loads);
         element.couplings(Energy::Inertia).load(factors.inertia, here, &mut loads);
+        if let Some(Turned { g, other, factor }) = turned {
+            g.couplings[index].load(*factor, &fields.at[*other][index], &mut loads);
+            if let Some(hung) = &g.hung[index] {
+                hand_on(&hung.map(|row| row.map(|w| factor * w)), &fields.outer[*other][index], &mut handed);
+            }
+        }
         let moments = moments(element, &loads, &mut handed);
         parts[index] = gaps(element, &moments, here, factors.elastic);
         let free = assembly.roots.free(index);

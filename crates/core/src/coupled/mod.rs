@@ -13,6 +13,8 @@ mod element;
 mod elimination;
 mod equilibrium;
 mod from_blade;
+mod gyroscopic;
+mod hermitian;
 mod krylov;
 mod layout;
 mod range;

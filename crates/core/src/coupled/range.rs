@@ -331,7 +331,7 @@ fn congruent(l: &DMatrix<f64>, a: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 /// The span of modes as functions that are orthonormal in the energy in the middle of the range.
-fn orthonormal(assembly: &Assembly, s: f64, sigma: f64, modes: &[Vector]) -> Vec<Vector> {
+pub fn orthonormal(assembly: &Assembly, s: f64, sigma: f64, modes: &[Vector]) -> Vec<Vector> {
     let forms = assembly.forms(1.0, s, sigma);
     let mut out: Vec<Vector> = Vec::new();
     let mut loads: Vec<Vector> = Vec::new();

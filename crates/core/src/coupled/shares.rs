@@ -31,7 +31,16 @@ pub fn kinetic(assembly: &Assembly, fields: &ModeFields) -> [DMatrix<f64>; 3] {
 
 /// Shares in sum 1 of a sum of modes.
 pub fn shares(kinetic: &[DMatrix<f64>; 3], vector: &DVector<f64>) -> [f64; 3] {
-    let parts = kinetic.each_ref().map(|part| vector.dot(&(part * vector)));
+    in_sum_1(energies(kinetic, vector))
+}
+
+/// Kinetic energies of a sum of modes.
+pub fn energies(kinetic: &[DMatrix<f64>; 3], vector: &DVector<f64>) -> [f64; 3] {
+    kinetic.each_ref().map(|part| vector.dot(&(part * vector)))
+}
+
+/// Energies as shares in sum 1.
+pub fn in_sum_1(parts: [f64; 3]) -> [f64; 3] {
     let total: f64 = parts.iter().sum();
     if total > 0.0 { parts.map(|part| part / total) } else { [0.0; 3] }
 }

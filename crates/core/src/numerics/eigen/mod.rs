@@ -7,12 +7,14 @@
 //! that λ < 0 (divergence), G + σM takes its place.
 
 mod definite;
+mod gyroscopic;
 mod indefinite;
 mod inverse;
 mod rigid;
 mod values;
 
 pub use definite::lowest_values;
+pub use gyroscopic::{Turning, turning};
 pub use inverse::vectors;
 pub use values::eigenvalues as symmetric_values;
 
