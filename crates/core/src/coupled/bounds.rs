@@ -3,7 +3,7 @@
 
 use super::assembly::Assembly;
 use super::certificate::{Form, index};
-use super::equilibrium::ModeEnergies;
+use super::equilibrium::OwnEnergies;
 use crate::numerics::scalar::sqrt;
 use alloc::vec::Vec;
 use nalgebra::{DMatrix, SymmetricEigen};
@@ -96,15 +96,10 @@ pub fn lower_bounds(values: &[f64], energies: &DMatrix<f64>, proof: &Proof) -> O
 }
 
 /// How far rounding may have moved each eigenvalue.
-pub fn rounding(energies: &ModeEnergies, values: &[f64], s: f64, sigma: f64) -> Vec<f64> {
-    energies
-        .sizes
-        .iter()
-        .enumerate()
-        .zip(values)
-        .map(|((mode, [elastic, centrifugal, _]), value)| {
-            let size = (elastic + s * centrifugal) / energies.inertia[(mode, mode)];
-            ROUNDING * (size + value.abs() + sigma)
-        })
-        .collect()
+pub fn rounding(energies: &[OwnEnergies], values: &[f64], s: f64, sigma: f64) -> Vec<f64> {
+    let own = |(energies, value): (&OwnEnergies, &f64)| {
+        let size = (energies.sizes[0] + s * energies.sizes[1]) / energies.sums[2];
+        ROUNDING * (size + value.abs() + sigma)
+    };
+    energies.iter().zip(values).map(own).collect()
 }

@@ -5,11 +5,12 @@
 //! every element. The rest is small at the displacements, so B on it is nearly αK; what couples the two is the
 //! moment of the functions' residuals that no polynomial of the element takes up. Both are local.
 
+use super::along::Flexibility;
 use super::assembly::Assembly;
 use super::blade::CoupledSection;
-use super::element::{Element, PointFields, STATES, Square};
+use super::element::{Couplings, Element, Functions, PointFields, STATES, STRAIN_FIELDS, Square};
 use super::elimination::Factor;
-use super::equilibrium::{bending_parts, moments};
+use super::equilibrium::moments;
 use crate::lagrange::Energy;
 use crate::numerics::scalar::{hypot, maximum, sqrt};
 use crate::numerics::vector::{axpy, dot, scale};
@@ -24,8 +25,6 @@ const SLACK: f64 = 1.001;
 const BEYOND_POINTS: f64 = 1.1;
 /// Share of a polynomial that is left beside the others when it is nothing new.
 const NOTHING_LEFT: f64 = 1e-12;
-/// Places of w″, v″ and φ′ among the fields.
-const STRAINS: [usize; 3] = [2, 5, 7];
 
 /// α, s and κ of a form α(K + F) + sC + κM.
 #[derive(Clone, Copy, Debug)]
@@ -100,16 +99,25 @@ fn rest(element: &Element, Form { alpha, s, kappa }: Form) -> f64 {
 }
 
 /// E: the complementary energy of the residuals of the element's functions, less what the polynomials take up.
-pub(super) fn untaken(element: &Element, functions: &[PointFields], form: Form) -> Option<Square> {
-    let sum = [(Energy::Centrifugal, form.s), (Energy::Inertia, form.kappa)];
-    let points = element.points();
+/// Trapeze counts as stiffness.
+pub(super) fn untaken(element: &Element, functions: &Functions, form: Form) -> Option<Square> {
+    let (points, count) = (element.points(), element.count());
+    let mut flexibility = Flexibility::default();
+    flexibility.push(element, form.alpha, form.s);
+    let mut moments_of: [Vec<f64>; 3] = core::array::from_fn(|_| vec![0.0; points]);
     // The polynomials as moments of their own, orthonormal in the metric of the energy.
     let mut taken: Vec<Vec<f64>> = Vec::with_capacity(element.strains());
-    for own in &functions[..element.strains()] {
-        let moments =
-            STRAINS.map(|strain| if own[strain].is_empty() { vec![0.0; points] } else { own[strain].clone() });
-        let mut row = scaled(element, &moments, form);
+    for function in 0..element.strains() {
+        for (moment, strain) in moments_of.iter_mut().zip(STRAIN_FIELDS) {
+            match functions.field(function, strain) {
+                Some(own) => moment.copy_from_slice(own),
+                None => moment.fill(0.0),
+            }
+        }
+        let mut row = Vec::with_capacity(3 * points);
+        flexibility.scale(&moments_of, &mut row);
         let before = sqrt(dot(&row, &row));
+        take_off(&mut row, &taken);
         take_off(&mut row, &taken);
         let length = sqrt(dot(&row, &row));
         if length <= NOTHING_LEFT * before {
@@ -118,22 +126,28 @@ pub(super) fn untaken(element: &Element, functions: &[PointFields], form: Form) 
         scale(&mut row, 1.0 / length);
         taken.push(row);
     }
-    let residual = |(own, mut loads): (&PointFields, PointFields)| {
+    let mut left: Vec<Vec<f64>> = Vec::with_capacity(count);
+    let mut loads: PointFields = core::array::from_fn(|_| vec![0.0; points]);
+    for function in 0..count {
         for load in &mut loads {
-            load.resize(points, 0.0);
+            load.fill(0.0);
         }
-        let mut moments = moments(element, &loads, &mut [0.0; STATES]);
-        let mut elastic = PointFields::default();
-        element.couplings(Energy::Elastic).load(form.alpha, own, &mut elastic);
-        for (moment, strain) in moments.iter_mut().zip(STRAINS) {
-            axpy(moment, 1.0, &elastic[strain]);
+        add_loads(element.couplings(Energy::Centrifugal), form.s, functions, function, &mut loads);
+        add_loads(element.couplings(Energy::Inertia), form.kappa, functions, function, &mut loads);
+        moments(element, &loads, 0, &mut [0.0; STATES], &mut moments_of);
+        for strain in STRAIN_FIELDS {
+            loads[strain].fill(0.0);
         }
-        let mut row = scaled(element, &moments, form);
+        add_loads(element.couplings(Energy::Elastic), form.alpha, functions, function, &mut loads);
+        for (moment, strain) in moments_of.iter_mut().zip(STRAIN_FIELDS) {
+            axpy(moment, 1.0, &loads[strain]);
+        }
+        let mut row = Vec::with_capacity(3 * points);
+        flexibility.scale(&moments_of, &mut row);
         take_off(&mut row, &taken);
-        row
-    };
-    let left: Vec<Vec<f64>> = functions.iter().zip(element.loads(functions, &sum)).map(residual).collect();
-    let mut energy = Square::zero(element.count());
+        left.push(row);
+    }
+    let mut energy = Square::zero(count);
     for (j, row) in left.iter().enumerate() {
         for (i, other) in left.iter().enumerate().skip(j) {
             let value = dot(other, row);
@@ -144,28 +158,20 @@ pub(super) fn untaken(element: &Element, functions: &[PointFields], form: Form) 
     Some(energy)
 }
 
-/// Takes off what lies along orthonormal rows, twice for full digits.
-fn take_off(row: &mut [f64], taken: &[Vec<f64>]) {
-    for _ in 0..2 {
-        for known in taken {
-            let along = dot(known, row);
-            axpy(row, -along, known);
+/// Adds `factor` times what a function loads each field with.
+fn add_loads(couplings: &Couplings, factor: f64, functions: &Functions, function: usize, loads: &mut PointFields) {
+    for (row, column, along) in &couplings.0 {
+        if let Some(own) = functions.field(function, *column) {
+            let parts = own.iter().zip(along).map(|(own, along)| factor * along * own);
+            loads[*row].iter_mut().zip(parts).for_each(|(load, part)| *load += part);
         }
     }
 }
 
-/// Moments as numbers whose squares sum to their energy in the inverse of the form's stiffness. Trapeze counts
-/// as stiffness.
-fn scaled(element: &Element, moments: &[Vec<f64>; 3], Form { alpha, s, .. }: Form) -> Vec<f64> {
-    let mut row = Vec::with_capacity(3 * element.points());
-    let moves = [element.moves(0), element.moves(1)];
-    for (k, (section, weight)) in element.sections.iter().zip(&element.weight).enumerate() {
-        let parts = bending_parts(section.angle, section.stiffness, moves, moments[0][k], moments[1][k]);
-        row.extend(parts.map(|part| sqrt(weight / alpha) * part));
-        if element.moves(2) {
-            let stiffness = alpha * section.stiffness[2] + s * section.trapeze_stiffness();
-            row.push(sqrt(weight / stiffness) * moments[2][k]);
-        }
+/// Takes off what lies along orthonormal rows.
+fn take_off(row: &mut [f64], taken: &[Vec<f64>]) {
+    for known in taken {
+        let along = dot(known, row);
+        axpy(row, -along, known);
     }
-    row
 }

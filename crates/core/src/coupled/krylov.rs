@@ -1,9 +1,10 @@
 //! The lowest modes by inverse iteration along the blade: a block of three vectors and all that the inverse
 //! of K + F + sC + σM makes of it, orthonormal in M.
 
-use super::assembly::{Assembly, Vector, add, product, scale, sum};
+use super::assembly::{Assembly, Vector, sum};
 use super::elimination::Factor;
 use crate::numerics::scalar::{cos, sqrt};
+use crate::numerics::vector::{axpy, long_dot, scale};
 use alloc::vec;
 use alloc::vec::Vec;
 use nalgebra::{DMatrix, SymmetricEigen};
@@ -13,6 +14,8 @@ use nalgebra::{DMatrix, SymmetricEigen};
 const SETTLED: f64 = 1e-9;
 /// A vector of which so little is left beside the others is nothing new.
 const NOTHING_NEW: f64 = 1e-11;
+/// Where less than this share of a vector is left beside the others, they are taken off once more.
+const FULL: f64 = 0.7;
 /// Most vectors, per mode sought and beside.
 const MOST: (usize, usize) = (6, 40);
 /// The modes are looked at once in so many vectors.
@@ -61,16 +64,11 @@ pub fn lowest(assembly: &Assembly, factor: &Factor, count: usize, seed: usize) -
 
 /// Loads on one displacement everywhere, uneven so that no mode is at right angles to them.
 fn start(assembly: &Assembly, state: usize, seed: usize) -> Vector {
-    let shape: Vector = assembly
-        .elements
-        .iter()
-        .enumerate()
-        .map(|(index, element)| {
-            let mut own = vec![0.0; element.count()];
-            own[element.strains() + state] = 1.0 + 0.4 * cos((2.399 + seed as f64) * (index as f64 + 1.0));
-            own
-        })
-        .collect();
+    let mut shape = vec![0.0; assembly.functions()];
+    for (index, element) in assembly.elements.iter().enumerate() {
+        let place = assembly.part(index).start + element.strains() + state;
+        shape[place] = 1.0 + 0.4 * cos((2.399 + seed as f64) * (index as f64 + 1.0));
+    }
     assembly.inertia_times(&shape)
 }
 
@@ -78,11 +76,16 @@ impl Krylov {
     /// Adds a vector, of which the parts along the others were taken off; those parts and its length.
     fn push(&mut self, assembly: &Assembly, mut vector: Vector) -> Vec<f64> {
         let mut parts = self.take_off(&mut vector);
-        let again = self.take_off(&mut vector);
-        parts.iter_mut().zip(again).for_each(|(part, more)| *part += more);
         let mut loads = assembly.inertia_times(&vector);
-        let length = sqrt(product(&vector, &loads).max(0.0));
+        let mut length = sqrt(long_dot(&vector, &loads).max(0.0));
         let before = sqrt(parts.iter().map(|part| part * part).sum());
+        // What is left has the rounding of what was taken off.
+        if length < FULL * before {
+            let again = self.take_off(&mut vector);
+            parts.iter_mut().zip(again).for_each(|(part, more)| *part += more);
+            loads = assembly.inertia_times(&vector);
+            length = sqrt(long_dot(&vector, &loads).max(0.0));
+        }
         if length > NOTHING_NEW * before && length > 0.0 {
             scale(&mut vector, 1.0 / length);
             scale(&mut loads, 1.0 / length);
@@ -94,9 +97,9 @@ impl Krylov {
     }
 
     fn take_off(&self, vector: &mut Vector) -> Vec<f64> {
-        let parts: Vec<f64> = self.loads.iter().map(|loads| product(vector, loads)).collect();
+        let parts: Vec<f64> = self.loads.iter().map(|loads| long_dot(vector, loads)).collect();
         for (part, known) in parts.iter().zip(&self.vectors) {
-            add(vector, -part, known);
+            axpy(vector, -part, known);
         }
         parts
     }
@@ -105,7 +108,7 @@ impl Krylov {
         let parts = if grows {
             self.push(assembly, next)
         } else {
-            self.loads.iter().map(|loads| product(&next, loads)).collect()
+            self.loads.iter().map(|loads| long_dot(&next, loads)).collect()
         };
         self.made.push(parts);
     }

@@ -4,6 +4,7 @@
 //! time proportional to its elements; eigenvalues are those of the modes' own fields, and bounds follow from the
 //! modes' equilibrium and a proof of their number.
 
+mod along;
 mod assembly;
 mod blade;
 mod bounds;
@@ -31,9 +32,9 @@ use crate::numerics::scalar::maximum;
 use alloc::vec::Vec;
 use assembly::{Assembly, Vector, sum};
 use bounds::{lower_bounds, prove, rounding};
-use equilibrium::{ModeEnergies, ModeFields, energies, residuals};
+use equilibrium::{ModeFields, OwnEnergies, energies, own_energies, residuals};
 use layout::{Layout, first_layout, raise};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 /// Modes beyond those asked for, among which a separation is sought.
 const BEYOND: usize = 6;
@@ -133,7 +134,7 @@ struct Solved {
     modes: Vec<Vector>,
     values: Vec<f64>,
     fields: ModeFields,
-    energies: ModeEnergies,
+    energies: Vec<OwnEnergies>,
     /// Energies of the residual moments.
     gaps: DMatrix<f64>,
     /// The largest share of each element in the relative errors.
@@ -156,18 +157,19 @@ impl Solved {
         // Ritz vectors of the shifted problem, and then the quotients of their own fields, which know no shift.
         let shifted = &raw.elastic + &raw.centrifugal * s + &raw.inertia * sigma;
         let ritz = lowest(&shifted, &raw.inertia, found.len())?;
-        let fields = fields.combined(&ritz.vectors);
-        let energies = energies(assembly, &fields);
-        let quotient =
-            |i: usize| (energies.elastic[(i, i)] + s * energies.centrifugal[(i, i)]) / energies.inertia[(i, i)];
-        let values: Vec<f64> = (0..ritz.values.len()).map(quotient).collect();
+        let modes: Vec<Vector> = ritz.vectors.column_iter().map(|parts| sum(found, parts.as_slice())).collect();
+        let fields = ModeFields::new(assembly, &modes);
+        let energies = own_energies(assembly, &fields);
+        let quotient = |OwnEnergies { sums: [elastic, centrifugal, inertia], .. }: &OwnEnergies| {
+            (elastic + s * centrifugal) / inertia
+        };
+        let values: Vec<f64> = energies.iter().map(quotient).collect();
         let residuals = residuals(blade, assembly, &fields, &values, s);
         let gaps = residuals.energies();
         let floor = FLOOR * values.last().map_or(0.0, |v| v.abs());
         let relative: Vec<f64> = values.iter().map(|value| 1.0 / value.abs().max(floor)).collect();
-        let shares = residuals.shares(&relative);
+        let shares = residuals.shares(assembly, &relative);
         let worst = (0..relative.len().saturating_sub(beyond)).map(|i| gaps[(i, i)] * relative[i]).fold(0.0, maximum);
-        let modes = ritz.vectors.column_iter().map(|parts| sum(found, parts.as_slice())).collect();
         Ok(Self { modes, values, fields, energies, gaps, shares, worst })
     }
 
@@ -182,7 +184,8 @@ impl Solved {
     ) -> CoupledModes {
         let count = count.min(self.values.len());
         // What is proven holds for the blade whatever the functions; few of them are often enough.
-        let coarse = Assembly::new(blade, &layout.with_orders_up_to(ORDER_OF_PROOFS), rules);
+        let coarse = layout.with_orders_up_to(ORDER_OF_PROOFS);
+        let coarse = Assembly::beside(blade, &coarse, rules, Some(assembly));
         let proof = prove(&coarse, &self.values, count, s).or_else(|_| prove(assembly, &self.values, count, s));
         let lower = proof.ok().and_then(|proof| {
             let below = proof.below;
@@ -199,13 +202,11 @@ impl Solved {
             let lower = lower.as_ref()?.get(i)?;
             Some((lower.min(self.values[i]) - rounding[i], self.values[i] + rounding[i]))
         };
-        let kinetic = shares::kinetic(assembly, &self.fields);
-        let unit = |i: usize| DVector::from_fn(self.values.len(), |j, _| if i == j { 1.0 } else { 0.0 });
         let mode = |i: usize| CoupledMode {
             eigenvalue: self.values[i],
             error: self.gaps[(i, i)],
             bounds: bounds(i),
-            shares: shares::shares(&kinetic, &unit(i)),
+            shares: shares::own_shares(assembly, &self.fields, i),
         };
         CoupledModes { modes: (0..count).map(mode).collect(), separation, functions: assembly.unknowns() }
     }

@@ -1,7 +1,7 @@
 //! Functions for a whole range of rotor speeds: the span of the modes at some of them. Every matrix and every
 //! residual of these functions is affine in Ω², so each speed is a small dense problem.
 
-use super::assembly::{Assembly, Vector, add, product, scale};
+use super::assembly::{Assembly, Vector};
 use super::blade::CoupledBlade;
 use super::bounds::{Missing, Proof, ROUNDING, lower_bounds, prove_separation, prove_shift};
 use super::equilibrium::{Factors, ModeFields, energies, residual};
@@ -10,6 +10,7 @@ use super::{FLOOR, MOST_ROUNDS, ORDER_OF_PROOFS, SHARE, SHIFT, Solved, TOLERANCE
 use crate::numerics::eigen::{EigenError, lowest, symmetric_values};
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::{maximum, sqrt};
+use crate::numerics::vector::{axpy, long_dot, scale};
 use alloc::vec;
 use alloc::vec::Vec;
 use nalgebra::{Cholesky, DMatrix, DVector};
@@ -131,7 +132,8 @@ impl Range {
             }
             rounds += 1;
         };
-        let coarse = Assembly::new(blade, &layout.with_orders_up_to(ORDER_OF_PROOFS), rules);
+        let coarse = layout.with_orders_up_to(ORDER_OF_PROOFS);
+        let coarse = Assembly::beside(blade, &coarse, rules, Some(&fine));
         let mut more = MORE_ANCHORS.iter();
         loop {
             let range = Self::of(blade, &fine, &coarse, highest, count, sigma, &modes)?;
@@ -338,15 +340,15 @@ fn orthonormal(assembly: &Assembly, s: f64, sigma: f64, modes: &[Vector]) -> Vec
     for mode in modes {
         let mut function = mode.clone();
         let own = assembly.form_times(&forms, 1.0, &function);
-        let before = sqrt(product(&function, &own).max(0.0));
+        let before = sqrt(long_dot(&function, &own).max(0.0));
         for _ in 0..2 {
             for (known, loads) in out.iter().zip(&loads) {
-                let along = product(&function, loads);
-                add(&mut function, -along, known);
+                let along = long_dot(&function, loads);
+                axpy(&mut function, -along, known);
             }
         }
         let mut own = assembly.form_times(&forms, 1.0, &function);
-        let length = sqrt(product(&function, &own).max(0.0));
+        let length = sqrt(long_dot(&function, &own).max(0.0));
         if length > NOTHING_NEW * before {
             scale(&mut function, 1.0 / length);
             scale(&mut own, 1.0 / length);
@@ -367,9 +369,7 @@ fn residual_moments(blade: &CoupledBlade, assembly: &Assembly, fields: &ModeFiel
     ];
     let columns: Vec<Vec<f64>> = parts
         .into_iter()
-        .flat_map(|factors| {
-            (0..fields.count()).map(move |mode| residual(blade, assembly, fields, mode, factors).concat())
-        })
+        .flat_map(|factors| (0..fields.count()).map(move |mode| residual(blade, assembly, fields, mode, factors)))
         .collect();
     let rows = columns.first().map_or(0, Vec::len);
     let all = DMatrix::from_fn(rows, columns.len(), |i, j| columns[j][i]);

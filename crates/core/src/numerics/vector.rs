@@ -14,6 +14,20 @@ pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
 }
 
+/// Σ aᵢ bᵢ of long lists, in eight lanes: those of [`dot`] wait for one another. Both lists have one length.
+pub fn long_dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; 8];
+    let (chunks_a, chunks_b) = (a.chunks_exact(8), b.chunks_exact(8));
+    let rest: f64 = chunks_a.remainder().iter().zip(chunks_b.remainder()).map(|(a, b)| a * b).sum();
+    for (a, b) in chunks_a.zip(chunks_b) {
+        for lane in 0..8 {
+            sums[lane] += a[lane] * b[lane];
+        }
+    }
+    let halves = [0, 1, 2, 3].map(|lane| sums[lane] + sums[lane + 4]);
+    (halves[0] + halves[2]) + (halves[1] + halves[3]) + rest
+}
+
 /// Adds `factor` times `x` to `y`.
 pub fn axpy(y: &mut [f64], factor: f64, x: &[f64]) {
     y.iter_mut().zip(x).for_each(|(y, x)| *y += factor * x);
@@ -39,6 +53,7 @@ mod tests {
             let (a, b): (Vec<f64>, Vec<f64>) = pairs.iter().map(|&(a, b)| (f64::from(a), f64::from(b))).unzip();
             let sum: i32 = pairs.iter().map(|(a, b)| a * b).sum();
             prop_assert_eq!(dot(&a, &b), f64::from(sum));
+            prop_assert_eq!(long_dot(&a, &b), f64::from(sum));
         }
 
         /// Taking off is adding the opposite, to the bit.
