@@ -41,13 +41,9 @@ pub struct Assembly {
 }
 
 impl Assembly {
-    /// Of a blade on a layout.
-    pub fn new(blade: &CoupledBlade, layout: &Layout, rules: &GaussRules) -> Self {
-        Self::beside(blade, layout, rules, None)
-    }
-
-    /// The same; `known` stands on the same elements, and where it has the same orders it has what is needed.
-    pub fn beside(blade: &CoupledBlade, layout: &Layout, rules: &GaussRules, known: Option<&Self>) -> Self {
+    /// Of a blade on a layout; `known` stands on the same elements, and where it has the same orders it has what is
+    /// needed.
+    pub fn new(blade: &CoupledBlade, layout: &Layout, rules: &GaussRules, known: Option<&Self>) -> Self {
         let mut made: Vec<(usize, Rc<Rule>)> = Vec::new();
         let mut rule = |order: usize| -> Rc<Rule> {
             if let Some((_, rule)) = made.iter().find(|(known, _)| *known == order) {

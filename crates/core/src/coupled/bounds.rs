@@ -4,9 +4,10 @@
 use super::assembly::Assembly;
 use super::certificate::{Form, index};
 use super::equilibrium::OwnEnergies;
+use crate::numerics::eigen::ascending_values;
 use crate::numerics::scalar::sqrt;
 use alloc::vec::Vec;
-use nalgebra::{DMatrix, SymmetricEigen};
+use nalgebra::DMatrix;
 
 /// Where ρ stands between two eigenvalues.
 const SEPARATION: f64 = 0.8;
@@ -89,10 +90,8 @@ pub fn lower_bounds(values: &[f64], energies: &DMatrix<f64>, proof: &Proof) -> O
         let own = if i == j { 1.0 / shifted[i] } else { 0.0 };
         own + SLACK * energies[(i, j)] / ((1.0 - theta) * shifted[i] * shifted[j] * sqrt(share(i) * share(j)))
     });
-    let eigen = SymmetricEigen::try_new(h, f64::EPSILON, 60 * n)?;
-    let mut inverse: Vec<f64> = eigen.eigenvalues.iter().copied().collect();
-    inverse.sort_by(|a, b| b.total_cmp(a));
-    Some(inverse.iter().map(|nu| 1.0 / nu - sigma).collect())
+    let inverse = ascending_values(h)?;
+    Some(inverse.iter().rev().map(|nu| 1.0 / nu - sigma).collect())
 }
 
 /// How far rounding may have moved each eigenvalue.

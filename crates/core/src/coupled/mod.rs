@@ -16,6 +16,7 @@ mod from_blade;
 mod krylov;
 mod layout;
 mod range;
+mod reduced;
 mod sample;
 mod shares;
 mod terms;
@@ -98,7 +99,8 @@ fn converged(
     let mut layout = first_layout(blade, s, count + BEYOND);
     let mut best: Option<(Layout, Assembly, Solved)> = None;
     for _ in 0..MOST_ROUNDS {
-        let (assembly, solved) = solve(blade, &layout, s, count + BEYOND, rules)?;
+        let known = best.as_ref().map(|(_, assembly, _)| assembly);
+        let (assembly, solved) = solve(blade, &layout, s, count + BEYOND, rules, known)?;
         let (worst, shares) = (solved.worst, solved.shares.clone());
         if best.as_ref().is_none_or(|(.., best)| worst < best.worst) {
             best = Some((layout.clone(), assembly, solved));
@@ -185,7 +187,7 @@ impl Solved {
         let count = count.min(self.values.len());
         // What is proven holds for the blade whatever the functions; few of them are often enough.
         let coarse = layout.with_orders_up_to(ORDER_OF_PROOFS);
-        let coarse = Assembly::beside(blade, &coarse, rules, Some(assembly));
+        let coarse = Assembly::new(blade, &coarse, rules, Some(assembly));
         let proof = prove(&coarse, &self.values, count, s).or_else(|_| prove(assembly, &self.values, count, s));
         let lower = proof.ok().and_then(|proof| {
             let below = proof.below;
@@ -218,8 +220,9 @@ fn solve(
     s: f64,
     count: usize,
     rules: &GaussRules,
+    known: Option<&Assembly>,
 ) -> Result<(Assembly, Solved), EigenError> {
-    let assembly = Assembly::new(blade, layout, rules);
+    let assembly = Assembly::new(blade, layout, rules, known);
     let (found, sigma) = iterate(&assembly, s, count, SHIFT.0 * layout.highest)?;
     let solved = Solved::new(blade, &assembly, &found, (s, sigma), BEYOND)?;
     Ok((assembly, solved))

@@ -5,7 +5,7 @@ use super::assembly::Assembly;
 use super::equilibrium::ModeFields;
 use crate::numerics::vector::long_dot;
 use alloc::vec::Vec;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 /// What the inertia makes of one motion of a mode about the mass centre, and the motion, along the blade.
 #[derive(Clone, Debug, Default)]
@@ -46,17 +46,13 @@ pub fn kinetic(assembly: &Assembly, fields: &ModeFields) -> [DMatrix<f64>; 3] {
     [0, 1, 2].map(|of| DMatrix::from_fn(n, n, |i, j| long_dot(&moved[i][of].motions, &moved[j][of].loads)))
 }
 
-/// Shares in sum 1 of a sum of modes.
-pub fn shares(kinetic: &[DMatrix<f64>; 3], vector: &DVector<f64>) -> [f64; 3] {
-    in_sum_one(kinetic.each_ref().map(|part| vector.dot(&(part * vector))))
-}
-
 /// Shares in sum 1 of one mode.
 pub fn own_shares(assembly: &Assembly, fields: &ModeFields, mode: usize) -> [f64; 3] {
     in_sum_one(Moved::new(assembly, fields, mode).map(|moved| long_dot(&moved.motions, &moved.loads)))
 }
 
-fn in_sum_one(parts: [f64; 3]) -> [f64; 3] {
+/// Parts as shares in sum 1.
+pub fn in_sum_one(parts: [f64; 3]) -> [f64; 3] {
     let total: f64 = parts.iter().sum();
     if total > 0.0 { parts.map(|part| part / total) } else { [0.0; 3] }
 }

@@ -28,6 +28,26 @@ pub fn long_dot(a: &[f64], b: &[f64]) -> f64 {
     (halves[0] + halves[2]) + (halves[1] + halves[3]) + rest
 }
 
+/// The sums of [`dot`] of one list with four, at less cost, each in two lanes. All have one length.
+pub fn four_dots(a: &[f64], b: [&[f64]; 4]) -> [f64; 4] {
+    let mut sums = [[0.0; 2]; 4];
+    let pairs = a.chunks_exact(2);
+    let rest = pairs.remainder();
+    let [b0, b1, b2, b3] = b.map(|b| &b[..a.len()]);
+    let others = b0.chunks_exact(2).zip(b1.chunks_exact(2)).zip(b2.chunks_exact(2)).zip(b3.chunks_exact(2));
+    for (a, (((b0, b1), b2), b3)) in pairs.zip(others) {
+        for (sum, b) in sums.iter_mut().zip([b0, b1, b2, b3]) {
+            sum[0] += a[0] * b[0];
+            sum[1] += a[1] * b[1];
+        }
+    }
+    let last = a.len() - rest.len();
+    core::array::from_fn(|i| {
+        let end: f64 = rest.iter().zip(&b[i][last..]).map(|(a, b)| a * b).sum();
+        sums[i][0] + sums[i][1] + end
+    })
+}
+
 /// Adds `factor` times `x` to `y`.
 pub fn axpy(y: &mut [f64], factor: f64, x: &[f64]) {
     y.iter_mut().zip(x).for_each(|(y, x)| *y += factor * x);
@@ -54,6 +74,9 @@ mod tests {
             let sum: i32 = pairs.iter().map(|(a, b)| a * b).sum();
             prop_assert_eq!(dot(&a, &b), f64::from(sum));
             prop_assert_eq!(long_dot(&a, &b), f64::from(sum));
+            let twice: Vec<f64> = b.iter().map(|b| 2.0 * b).collect();
+            let sum = f64::from(sum);
+            prop_assert_eq!(four_dots(&a, [&b, &twice, &b, &twice]), [sum, 2.0 * sum, sum, 2.0 * sum]);
         }
 
         /// Taking off is adding the opposite, to the bit.

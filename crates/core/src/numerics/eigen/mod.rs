@@ -7,14 +7,15 @@
 //! that λ < 0 (divergence), G + σM takes its place.
 
 mod definite;
+mod few;
 mod indefinite;
 mod inverse;
 mod rigid;
 mod values;
 
 pub use definite::lowest_values;
+pub use few::{ascending_values, lowest_of_plain};
 pub use inverse::vectors;
-pub use values::eigenvalues as symmetric_values;
 
 use alloc::vec::Vec;
 use nalgebra::DMatrix;
