@@ -12,6 +12,8 @@ use nalgebra::{DMatrix, SymmetricEigen};
 /// What is left of a mode outside the vectors, as a share of it, below which the mode is settled: its
 /// eigenvalue's error is about the square of that.
 const SETTLED: f64 = 1e-9;
+/// The same of modes that are there to tell where the others end.
+const NEARLY_SETTLED: f64 = 1e-6;
 /// A vector of which so little is left beside the others is nothing new.
 const NOTHING_NEW: f64 = 1e-11;
 /// Where less than this share of a vector is left beside the others, they are taken off once more.
@@ -32,14 +34,15 @@ pub struct Krylov {
     made: Vec<Vec<f64>>,
 }
 
-/// The `count` lowest modes, or as many as there are, of unit inertia, ascending, from the factor of the shifted
-/// form; `seed` makes the loads at the start others.
-pub fn lowest(assembly: &Assembly, factor: &Factor, count: usize, seed: usize) -> Option<Vec<Vector>> {
+/// The `count` lowest modes and `beyond` more that are not as exact, or as many as there are, of unit inertia,
+/// ascending, from the factor of the shifted form.
+pub fn lowest(assembly: &Assembly, factor: &Factor, count: usize, beyond: usize) -> Option<Vec<Vector>> {
+    let (wanted, count) = (count, count + beyond);
     let mut krylov = Krylov::default();
     let mut waiting: usize = 0;
     let most = (MOST.0 * count + MOST.1).min(assembly.unknowns());
     for state in [0, 2, 4] {
-        let mut start = start(assembly, state, seed);
+        let mut start = start(assembly, state);
         factor.solve(&assembly.elements, &mut start);
         krylov.push(assembly, start);
     }
@@ -53,7 +56,7 @@ pub fn lowest(assembly: &Assembly, factor: &Factor, count: usize, seed: usize) -
         krylov.iterate(assembly, next, krylov.vectors.len() < most);
         let enough = waiting >= 2 * count;
         if (enough && (waiting - 2 * count).is_multiple_of(EVERY)) || waiting == krylov.vectors.len() {
-            let (parts, settled) = krylov.ritz(count)?;
+            let (parts, settled) = krylov.ritz(wanted, count)?;
             if settled >= count || waiting == krylov.vectors.len() {
                 return Some(parts.column_iter().map(|column| sum(&krylov.vectors, column.as_slice())).collect());
             }
@@ -63,11 +66,11 @@ pub fn lowest(assembly: &Assembly, factor: &Factor, count: usize, seed: usize) -
 }
 
 /// Loads on one displacement everywhere, uneven so that no mode is at right angles to them.
-fn start(assembly: &Assembly, state: usize, seed: usize) -> Vector {
+fn start(assembly: &Assembly, state: usize) -> Vector {
     let mut shape = vec![0.0; assembly.functions()];
     for (index, element) in assembly.elements.iter().enumerate() {
         let place = assembly.part(index).start + element.strains() + state;
-        shape[place] = 1.0 + 0.4 * cos((2.399 + seed as f64) * (index as f64 + 1.0));
+        shape[place] = 1.0 + 0.4 * cos(2.399 * (index as f64 + 1.0));
     }
     assembly.inertia_times(&shape)
 }
@@ -115,7 +118,7 @@ impl Krylov {
 
     /// The vectors of the largest 1/(λ + σ) among the iterated ones, descending, and how many of them settled,
     /// from the first.
-    fn ritz(&self, count: usize) -> Option<(DMatrix<f64>, usize)> {
+    fn ritz(&self, wanted: usize, count: usize) -> Option<(DMatrix<f64>, usize)> {
         let n = self.made.len();
         let part = |i: usize, j: usize| self.made[j].get(i).copied().unwrap_or(0.0);
         let projected = DMatrix::from_fn(n, n, |i, j| 0.5 * (part(i, j) + part(j, i)));
@@ -126,7 +129,7 @@ impl Krylov {
         let mut order: Vec<usize> = (0..n).filter(|i| eigen.eigenvalues[*i] > 0.0).collect();
         order.sort_by(|a, b| eigen.eigenvalues[*b].total_cmp(&eigen.eigenvalues[*a]));
         order.truncate(count);
-        let is_settled = |&&index: &&usize| {
+        let is_settled = |&(place, &index): &(usize, &usize)| {
             let vector = eigen.eigenvectors.column(index);
             let left: f64 = (n..self.vectors.len())
                 .map(|i| {
@@ -134,9 +137,10 @@ impl Krylov {
                     outside * outside
                 })
                 .sum();
-            sqrt(left) <= SETTLED * eigen.eigenvalues[index]
+            let share = if place < wanted { SETTLED } else { NEARLY_SETTLED };
+            sqrt(left) <= share * eigen.eigenvalues[index]
         };
-        let settled = order.iter().take_while(is_settled).count();
+        let settled = order.iter().enumerate().take_while(is_settled).count();
         Some((eigen.eigenvectors.select_columns(&order), settled))
     }
 }

@@ -100,7 +100,7 @@ fn converged(
     let mut best: Option<(Layout, Assembly, Solved)> = None;
     for _ in 0..MOST_ROUNDS {
         let known = best.as_ref().map(|(_, assembly, _)| assembly);
-        let (assembly, solved) = solve(blade, &layout, s, count + BEYOND, rules, known)?;
+        let (assembly, solved) = solve(blade, &layout, s, (count, BEYOND), rules, known)?;
         let (worst, shares) = (solved.worst, solved.shares.clone());
         if best.as_ref().is_none_or(|(.., best)| worst < best.worst) {
             best = Some((layout.clone(), assembly, solved));
@@ -218,21 +218,26 @@ fn solve(
     blade: &CoupledBlade,
     layout: &Layout,
     s: f64,
-    count: usize,
+    (count, beyond): (usize, usize),
     rules: &GaussRules,
     known: Option<&Assembly>,
 ) -> Result<(Assembly, Solved), EigenError> {
     let assembly = Assembly::new(blade, layout, rules, known);
-    let (found, sigma) = iterate(&assembly, s, count, SHIFT.0 * layout.highest)?;
-    let solved = Solved::new(blade, &assembly, &found, (s, sigma), BEYOND)?;
+    let (found, sigma) = iterate(&assembly, s, (count, beyond), SHIFT.0 * layout.highest)?;
+    let solved = Solved::new(blade, &assembly, &found, (s, sigma), beyond)?;
     Ok((assembly, solved))
 }
 
 /// Modes by inverse iteration, and the shift, at least this, that leaves the form definite.
-fn iterate(assembly: &Assembly, s: f64, count: usize, mut sigma: f64) -> Result<(Vec<Vector>, f64), EigenError> {
+fn iterate(
+    assembly: &Assembly,
+    s: f64,
+    (count, beyond): (usize, usize),
+    mut sigma: f64,
+) -> Result<(Vec<Vector>, f64), EigenError> {
     for _ in 0..MOST_SHIFTS {
         if let Some(factor) = assembly.factor(s, sigma) {
-            let found = krylov::lowest(assembly, &factor, count, 0).ok_or(EigenError::NotConverged)?;
+            let found = krylov::lowest(assembly, &factor, count, beyond).ok_or(EigenError::NotConverged)?;
             return Ok((found, sigma));
         }
         sigma *= SHIFT.1;

@@ -79,7 +79,7 @@ impl Anchors {
         let mut all = Self { modes: Vec::new(), sigma, worst: 0.0, shares: vec![0.0; assembly.elements.len()] };
         for share in ANCHORS {
             // C enters in proportion: what is definite at both ends is definite between them.
-            let (found, sigma) = iterate(assembly, share * highest, count, all.sigma)?;
+            let (found, sigma) = iterate(assembly, share * highest, (count, BEYOND), all.sigma)?;
             let solved = Solved::new(blade, assembly, &found, (share * highest, sigma), BEYOND)?;
             all.sigma = sigma;
             all.worst = maximum(all.worst, solved.worst);
@@ -115,7 +115,7 @@ impl Range {
         let mut known: Option<Assembly> = None;
         let (fine, mut modes, sigma) = loop {
             let fine = Assembly::new(blade, &layout, rules, known.as_ref());
-            let found = Anchors::new(blade, &fine, layout.highest, highest, sought)?;
+            let found = Anchors::new(blade, &fine, layout.highest, highest, count)?;
             let good = found.worst <= TOLERANCE || rounds == MOST_ROUNDS;
             if good || !raise(&mut layout, &found.shares, TOLERANCE * SHARE) {
                 break (fine, found.modes, found.sigma);
@@ -129,7 +129,9 @@ impl Range {
             let error =
                 CHECKS.iter().try_fold(0.0, |most, share| Ok(maximum(most, reduced.error(share * highest, count)?)))?;
             match more.next() {
-                Some(share) if error > ACCEPTED => modes.extend(iterate(&fine, share * highest, sought, sigma)?.0),
+                Some(share) if error > ACCEPTED => {
+                    modes.extend(iterate(&fine, share * highest, (count, BEYOND), sigma)?.0);
+                }
                 _ => break (reduced, error),
             }
         };

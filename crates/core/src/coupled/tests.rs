@@ -145,7 +145,7 @@ fn golden_values() {
 /// its ten digits.
 fn assert_bounds(blade: &CoupledBlade, radii: &[f64], proof: Proof, upper: &[f64], energies: &[f64], lower: &[f64]) {
     let layout = Layout { radii: radii.to_vec(), orders: vec![[4; 3]; radii.len() - 1], highest: 5e3 };
-    let (_, solved) = solve(blade, &layout, 144.0, 7, &GaussRules::new(), None).unwrap();
+    let (_, solved) = solve(blade, &layout, 144.0, (7, 0), &GaussRules::new(), None).unwrap();
     for (found, known) in solved.values.iter().zip(upper) {
         assert!((found.sqrt() / known - 1.0).abs() < 2e-9, "{} {known}", found.sqrt());
     }

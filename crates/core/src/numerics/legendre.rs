@@ -119,7 +119,9 @@ impl Outboard {
         for (column, value) in self.matrix.chunks_exact(self.points).zip(values) {
             out.iter_mut().zip(column).for_each(|(sum, weight)| *sum += weight * value);
         }
-        out.iter_mut().for_each(|sum| *sum = at_end + scale * *sum);
+        for sum in out.iter_mut() {
+            *sum = at_end + scale * *sum;
+        }
     }
 }
 

@@ -28,24 +28,29 @@ pub fn long_dot(a: &[f64], b: &[f64]) -> f64 {
     (halves[0] + halves[2]) + (halves[1] + halves[3]) + rest
 }
 
-/// The sums of [`dot`] of one list with four, at less cost, each in two lanes. All have one length.
-pub fn four_dots(a: &[f64], b: [&[f64]; 4]) -> [f64; 4] {
-    let mut sums = [[0.0; 2]; 4];
-    let pairs = a.chunks_exact(2);
-    let rest = pairs.remainder();
-    let [b0, b1, b2, b3] = b.map(|b| &b[..a.len()]);
-    let others = b0.chunks_exact(2).zip(b1.chunks_exact(2)).zip(b2.chunks_exact(2)).zip(b3.chunks_exact(2));
-    for (a, (((b0, b1), b2), b3)) in pairs.zip(others) {
-        for (sum, b) in sums.iter_mut().zip([b0, b1, b2, b3]) {
-            sum[0] += a[0] * b[0];
-            sum[1] += a[1] * b[1];
+/// Σ aᵢ bᵢ of one list with four others, at less cost than one by one, each in four lanes. All have one length.
+pub fn four_dots(a: &[f64], others: [&[f64]; 4]) -> [f64; 4] {
+    let (chunks, rest) = a.as_chunks::<4>();
+    let [b, c, d, e] = others.map(|other| other[..a.len()].as_chunks::<4>().0);
+    let mut sums = [[0.0; 4]; 4];
+    for ((((a, b), c), d), e) in chunks.iter().zip(b).zip(c).zip(d).zip(e) {
+        for (sum, other) in sums.iter_mut().zip([b, c, d, e]) {
+            for lane in 0..4 {
+                sum[lane] += a[lane] * other[lane];
+            }
         }
     }
     let last = a.len() - rest.len();
     core::array::from_fn(|i| {
-        let end: f64 = rest.iter().zip(&b[i][last..]).map(|(a, b)| a * b).sum();
-        sums[i][0] + sums[i][1] + end
+        let end: f64 = rest.iter().zip(&others[i][last..]).map(|(a, b)| a * b).sum();
+        of_lanes(&sums[i]) + end
     })
+}
+
+/// Apart, so that the compiler leaves the lanes of one sum beside one another.
+#[inline(never)]
+fn of_lanes(lanes: &[f64; 4]) -> f64 {
+    (lanes[0] + lanes[2]) + (lanes[1] + lanes[3])
 }
 
 /// Adds `factor` times `x` to `y`.

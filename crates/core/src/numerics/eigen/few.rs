@@ -5,7 +5,7 @@
 
 use super::STEPS_PER_EIGENVALUE;
 use crate::numerics::scalar::sqrt;
-use crate::numerics::vector::{axpy, dot, scale};
+use crate::numerics::vector::{axpy, dot, four_dots, scale};
 use alloc::vec;
 use alloc::vec::Vec;
 use nalgebra::DMatrix;
@@ -48,15 +48,20 @@ pub fn lowest_of_plain(mut matrix: DMatrix<f64>, count: usize) -> Option<(Vec<f6
     Some((values.into_iter().map(|value| value * size).collect(), out))
 }
 
-/// Divides a matrix by its largest entry, so that no square over- or underflows where it matters; that entry.
+/// Makes a matrix of its lower triangle, divided by its largest entry, so that no square over- or underflows where
+/// it matters; that entry.
 fn normalise(matrix: &mut DMatrix<f64>) -> Option<f64> {
-    let size = matrix.iter().fold(0.0, |most: f64, v| if v.is_finite() { most.max(v.abs()) } else { f64::NAN });
-    if matrix.is_empty() || !size.is_finite() {
+    let entries = matrix.as_mut_slice();
+    let size = entries.iter().fold(0.0, |most: f64, v| if v.abs() > most { v.abs() } else { most });
+    if entries.is_empty() || entries.iter().any(|v| !v.is_finite()) {
         return None;
     }
     if size > 0.0 {
-        *matrix /= size;
+        for entry in entries.iter_mut() {
+            *entry /= size;
+        }
     }
+    matrix.fill_upper_triangle_with_lower_triangle();
     Some(size)
 }
 
@@ -126,23 +131,29 @@ fn tridiagonalise(matrix: &mut DMatrix<f64>) -> (Vec<f64>, Vec<f64>) {
         let first = u[0] - onto;
         u[0] = first;
         scale(u, 1.0 / sqrt(-onto * first));
-        // p = A u from the lower triangle, and A − u qᵀ − q uᵀ with q = p − ½ (uᵀp) u.
-        let p = &mut product[..u.len()];
-        p.fill(0.0);
-        for j in 0..u.len() {
-            let column = &right[j * n + k + 1 + j..(j + 1) * n];
-            axpy(&mut p[j..], u[j], column);
-            p[j] += dot(&column[1..], &u[j + 1..]);
+        // p = A u, and A − u qᵀ − q uᵀ with q = p − ½ (uᵀp) u.
+        let (p, m) = (&mut product[..u.len()], u.len());
+        let column = |j: usize| &right[j * n + k + 1..(j + 1) * n];
+        for first in (0..m).step_by(4) {
+            let sums = four_dots(u, [0, 1, 2, 3].map(|j| column((first + j).min(m - 1))));
+            p[first..m.min(first + 4)].iter_mut().zip(sums).for_each(|(p, sum)| *p = sum);
         }
         let half = 0.5 * dot(u, p);
         axpy(p, -half, u);
-        for j in 0..u.len() {
-            let column = &mut right[j * n + k + 1 + j..(j + 1) * n];
+        for j in 0..m {
             let (by_u, by_q) = (p[j], u[j]);
-            column.iter_mut().zip(&u[j..]).zip(&p[j..]).for_each(|((a, u), q)| *a -= by_u * u + by_q * q);
+            take_off_two(&mut right[j * n + k + 1..(j + 1) * n], (by_u, u), (by_q, p));
         }
     }
     ((0..n).map(|k| a[k * n + k]).collect(), beside)
+}
+
+/// Takes a factor times each of two lists off a third. A function of its own, so that the compiler knows that the
+/// lists do not overlap.
+#[inline(never)]
+fn take_off_two(from: &mut [f64], (by_u, u): (f64, &[f64]), (by_q, q): (f64, &[f64])) {
+    let (u, q) = (&u[..from.len()], &q[..from.len()]);
+    from.iter_mut().zip(u).zip(q).for_each(|((a, u), q)| *a -= by_u * u + by_q * q);
 }
 
 /// The unit vector of an eigenvalue of a tridiagonal matrix, orthogonal to those before.
@@ -254,7 +265,7 @@ mod tests {
         #[test]
         fn the_lowest_are_found(
             n in 1_usize..24,
-            share in 0.01..1.0,
+            wanted in 1_usize..24,
             entries in prop::collection::vec(-1.0..1.0, 576),
             grade in prop_oneof![Just(1.0), 0.3..1.0],
             size in prop_oneof![Just(1.0), Just(1e-100), Just(1e100)],
@@ -262,7 +273,7 @@ mod tests {
             let matrix = DMatrix::from_fn(n, n, |i, j| {
                 size * entries[i.max(j) * n + i.min(j)] * f64::powf(grade, (i + j) as f64)
             });
-            assert_found(&matrix, ((share * n as f64) as usize).max(1));
+            assert_found(&matrix, wanted.min(n));
         }
     }
 
