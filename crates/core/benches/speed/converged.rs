@@ -12,7 +12,7 @@ use core::fmt::Write;
 use core::hint::black_box;
 
 /// A blade with `stations` stations on which every property changes.
-fn many_stations(stations: usize) -> Blade {
+pub(crate) fn many_stations(stations: usize) -> Blade {
     let list = |f: &dyn Fn(f64) -> f64| {
         let mut text = String::from("[");
         for i in 0..stations {

@@ -202,6 +202,8 @@ fn main() {
     for name in ["tm4760", "bo105", "uh60a"] {
         coupled::measure(&mut criterion, name, &built_in(name));
     }
+    coupled::floor(&mut criterion);
+    coupled::stations(&mut criterion);
     criterion.final_summary();
     // `cargo test` runs each measurement once, as a test, and has no use for ratios.
     if std::env::args().any(|argument| argument == "--bench") {

@@ -3,10 +3,11 @@
 
 use super::assembly::Assembly;
 use super::certificate::{Form, index};
-use super::equilibrium::ModeEnergies;
+use super::equilibrium::OwnEnergies;
+use crate::numerics::eigen::ascending_values;
 use crate::numerics::scalar::sqrt;
 use alloc::vec::Vec;
-use nalgebra::{DMatrix, SymmetricEigen};
+use nalgebra::DMatrix;
 
 /// Where ρ stands between two eigenvalues.
 const SEPARATION: f64 = 0.8;
@@ -95,22 +96,15 @@ pub fn lower_bounds(values: &[f64], energies: &DMatrix<f64>, proof: &Proof) -> O
         let own = if i == j { 1.0 / shifted[i] } else { 0.0 };
         own + SLACK * energies[(i, j)] / ((1.0 - theta) * shifted[i] * shifted[j] * sqrt(share(i) * share(j)))
     });
-    let eigen = SymmetricEigen::try_new(h, f64::EPSILON, 60 * n)?;
-    let mut inverse: Vec<f64> = eigen.eigenvalues.iter().copied().collect();
-    inverse.sort_by(|a, b| b.total_cmp(a));
-    Some(inverse.iter().map(|nu| 1.0 / nu - sigma).collect())
+    let inverse = ascending_values(h)?;
+    Some(inverse.iter().rev().map(|nu| 1.0 / nu - sigma).collect())
 }
 
 /// How far rounding may have moved each eigenvalue.
-pub fn rounding(energies: &ModeEnergies, values: &[f64], s: f64, sigma: f64) -> Vec<f64> {
-    energies
-        .sizes
-        .iter()
-        .enumerate()
-        .zip(values)
-        .map(|((mode, [elastic, centrifugal, _]), value)| {
-            let size = (elastic + s * centrifugal) / energies.inertia[(mode, mode)];
-            ROUNDING * (size + value.abs() + sigma)
-        })
-        .collect()
+pub fn rounding(energies: &[OwnEnergies], values: &[f64], s: f64, sigma: f64) -> Vec<f64> {
+    let own = |(energies, value): (&OwnEnergies, &f64)| {
+        let size = (energies.sizes[0] + s * energies.sizes[1]) / energies.sums[2];
+        ROUNDING * (size + value.abs() + sigma)
+    };
+    energies.iter().zip(values).map(own).collect()
 }

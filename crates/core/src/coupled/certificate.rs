@@ -5,11 +5,12 @@
 //! every element. The rest is small at the displacements, so B on it is nearly αK; what couples the two is the
 //! moment of the functions' residuals that no polynomial of the element takes up. Both are local.
 
+use super::along::Flexibility;
 use super::assembly::Assembly;
 use super::blade::CoupledSection;
-use super::element::{Element, PointFields, STATES, Square};
+use super::element::{Couplings, Element, Functions, PointFields, STATES, STRAIN_FIELDS, Square};
 use super::elimination::Factor;
-use super::equilibrium::{bending_parts, moments};
+use super::equilibrium::moments;
 use super::gyroscopic::Gyroscopic;
 use super::hermitian::{Hermitian, negative};
 use crate::lagrange::Energy;
@@ -26,8 +27,6 @@ const SLACK: f64 = 1.001;
 const BEYOND_POINTS: f64 = 1.1;
 /// Share of a polynomial that is left beside the others when it is nothing new.
 const NOTHING_LEFT: f64 = 1e-12;
-/// Places of w″, v″ and φ′ among the fields.
-const STRAINS: [usize; 3] = [2, 5, 7];
 
 /// α, s and κ of a form α(K + F) + sC + κM.
 #[derive(Clone, Copy, Debug)]
@@ -64,30 +63,23 @@ pub fn index(assembly: &Assembly, form: Form) -> Option<usize> {
 /// The same of the Hermitian form α(K + F) + sC + κM + iτG, of whose untaken energy `share` is taken off.
 fn index_turning(assembly: &Assembly, form: Form, share: f64) -> Option<usize> {
     let g = Gyroscopic::new(assembly);
+    let mut forms = Vec::with_capacity(assembly.elements.len());
     let real = assembly.forms(form.alpha, form.s, form.kappa);
-    let each = assembly.elements.iter().zip(&assembly.functions).zip(real.into_iter().zip(g.matrices(assembly)));
-    type Parts<'a> = ((&'a Element, &'a Vec<PointFields>), (Square, Square));
-    let hermitian = |(index, ((element, functions), (mut re, skew))): (usize, Parts<'_>)| {
+    for (index, (mut re, skew)) in real.into_iter().zip(g.matrices(assembly)).enumerate() {
+        let (element, functions) = (&assembly.elements[index], &assembly.functions[index]);
         let mut im = Square::zero(re.order());
         im.add(form.turning, &skew);
-        let turned = |own: &PointFields| {
-            let mut loads = PointFields::default();
-            g.couplings[index].load(form.turning, own, &mut loads);
-            loads
-        };
-        let loads = functions.iter().map(turned).collect();
-        let still = left_over(element, functions, form, still_loads(element, functions, form), true)?;
-        let moved = left_over(element, functions, form, loads, false)?;
+        let still = left_over(element, functions, form, &still_loads(element, form), true)?;
+        let moved = left_over(element, functions, form, &[(&g.couplings[index], form.turning)], false)?;
         for j in 0..re.order() {
             for i in 0..re.order() {
                 *re.at_mut(i, j) -= share * (dot(&still[i], &still[j]) + dot(&moved[i], &moved[j]));
                 *im.at_mut(i, j) -= share * (dot(&still[i], &moved[j]) - dot(&moved[i], &still[j]));
             }
         }
-        Some(Hermitian { re, im })
-    };
-    let forms: Option<Vec<Hermitian>> = each.enumerate().map(hermitian).collect();
-    negative(&assembly.elements, forms?, &assembly.roots, form.alpha)
+        forms.push(Hermitian { re, im });
+    }
+    negative(&assembly.elements, forms, &assembly.roots, form.alpha)
 }
 
 /// ε of an element: on the rest B ≥ −ε α K but for α K itself.
@@ -140,9 +132,10 @@ fn rest(element: &Element, Form { alpha, s, kappa, turning }: Form) -> f64 {
 }
 
 /// E: the complementary energy of the residuals of the element's functions, less what the polynomials take up.
-pub(super) fn untaken(element: &Element, functions: &[PointFields], form: Form) -> Option<Square> {
-    let left = left_over(element, functions, form, still_loads(element, functions, form), true)?;
-    let mut energy = Square::zero(element.count());
+/// Trapeze counts as stiffness.
+pub(super) fn untaken(element: &Element, functions: &Functions, form: Form) -> Option<Square> {
+    let left = left_over(element, functions, form, &still_loads(element, form), true)?;
+    let mut energy = Square::zero(left.len());
     for (j, row) in left.iter().enumerate() {
         for (i, other) in left.iter().enumerate().skip(j) {
             let value = dot(other, row);
@@ -153,28 +146,37 @@ pub(super) fn untaken(element: &Element, functions: &[PointFields], form: Form) 
     Some(energy)
 }
 
-/// Loads of sC + κM on the element's functions.
-fn still_loads(element: &Element, functions: &[PointFields], form: Form) -> Vec<PointFields> {
-    element.loads(functions, &[(Energy::Centrifugal, form.s), (Energy::Inertia, form.kappa)])
+/// What loads in sC + κM.
+fn still_loads(element: &Element, form: Form) -> [(&Couplings, f64); 2] {
+    [(element.couplings(Energy::Centrifugal), form.s), (element.couplings(Energy::Inertia), form.kappa)]
 }
 
-/// Moments of loads on the element's functions, with or without those of their strains, less what the polynomials
-/// take up, as rows whose squares sum to their energy.
+/// Moments of these loads on the element's functions, with or without those of their strains, less what the
+/// polynomials take up, as rows whose squares sum to their energy.
 fn left_over(
     element: &Element,
-    functions: &[PointFields],
+    functions: &Functions,
     form: Form,
-    loads: Vec<PointFields>,
+    parts: &[(&Couplings, f64)],
     strained: bool,
 ) -> Option<Vec<Vec<f64>>> {
-    let points = element.points();
+    let (points, count) = (element.points(), element.count());
+    let mut flexibility = Flexibility::default();
+    flexibility.push(element, form.alpha, form.s);
+    let mut moments_of: [Vec<f64>; 3] = core::array::from_fn(|_| vec![0.0; points]);
     // The polynomials as moments of their own, orthonormal in the metric of the energy.
     let mut taken: Vec<Vec<f64>> = Vec::with_capacity(element.strains());
-    for own in &functions[..element.strains()] {
-        let moments =
-            STRAINS.map(|strain| if own[strain].is_empty() { vec![0.0; points] } else { own[strain].clone() });
-        let mut row = scaled(element, &moments, form);
+    for function in 0..element.strains() {
+        for (moment, strain) in moments_of.iter_mut().zip(STRAIN_FIELDS) {
+            match functions.field(function, strain) {
+                Some(own) => moment.copy_from_slice(own),
+                None => moment.fill(0.0),
+            }
+        }
+        let mut row = Vec::with_capacity(3 * points);
+        flexibility.scale(&moments_of, &mut row);
         let before = sqrt(dot(&row, &row));
+        take_off(&mut row, &taken);
         take_off(&mut row, &taken);
         let length = sqrt(dot(&row, &row));
         if length <= NOTHING_LEFT * before {
@@ -183,47 +185,47 @@ fn left_over(
         scale(&mut row, 1.0 / length);
         taken.push(row);
     }
-    let residual = |(own, mut loads): (&PointFields, PointFields)| {
+    let mut left: Vec<Vec<f64>> = Vec::with_capacity(count);
+    let mut loads: PointFields = core::array::from_fn(|_| vec![0.0; points]);
+    for function in 0..count {
         for load in &mut loads {
-            load.resize(points, 0.0);
+            load.fill(0.0);
         }
-        let mut moments = moments(element, &loads, &mut [0.0; STATES]);
-        let mut elastic = PointFields::default();
+        for (couplings, factor) in parts {
+            add_loads(couplings, *factor, functions, function, &mut loads);
+        }
+        moments(element, &loads, 0, &mut [0.0; STATES], &mut moments_of);
+        for strain in STRAIN_FIELDS {
+            loads[strain].fill(0.0);
+        }
         if strained {
-            element.couplings(Energy::Elastic).load(form.alpha, own, &mut elastic);
+            add_loads(element.couplings(Energy::Elastic), form.alpha, functions, function, &mut loads);
         }
-        for (moment, strain) in moments.iter_mut().zip(STRAINS) {
-            axpy(moment, 1.0, &elastic[strain]);
+        for (moment, strain) in moments_of.iter_mut().zip(STRAIN_FIELDS) {
+            axpy(moment, 1.0, &loads[strain]);
         }
-        let mut row = scaled(element, &moments, form);
+        let mut row = Vec::with_capacity(3 * points);
+        flexibility.scale(&moments_of, &mut row);
         take_off(&mut row, &taken);
-        row
-    };
-    Some(functions.iter().zip(loads).map(residual).collect())
+        left.push(row);
+    }
+    Some(left)
 }
 
-/// Takes off what lies along orthonormal rows, twice for full digits.
+/// Adds `factor` times what a function loads each field with.
+fn add_loads(couplings: &Couplings, factor: f64, functions: &Functions, function: usize, loads: &mut PointFields) {
+    for (row, column, along) in &couplings.0 {
+        if let Some(own) = functions.field(function, *column) {
+            let parts = own.iter().zip(along).map(|(own, along)| factor * along * own);
+            loads[*row].iter_mut().zip(parts).for_each(|(load, part)| *load += part);
+        }
+    }
+}
+
+/// Takes off what lies along orthonormal rows.
 fn take_off(row: &mut [f64], taken: &[Vec<f64>]) {
-    for _ in 0..2 {
-        for known in taken {
-            let along = dot(known, row);
-            axpy(row, -along, known);
-        }
+    for known in taken {
+        let along = dot(known, row);
+        axpy(row, -along, known);
     }
-}
-
-/// Moments as numbers whose squares sum to their energy in the inverse of the form's stiffness. Trapeze counts
-/// as stiffness.
-fn scaled(element: &Element, moments: &[Vec<f64>; 3], Form { alpha, s, .. }: Form) -> Vec<f64> {
-    let mut row = Vec::with_capacity(3 * element.points());
-    let moves = [element.moves(0), element.moves(1)];
-    for (k, (section, weight)) in element.sections.iter().zip(&element.weight).enumerate() {
-        let parts = bending_parts(section.angle, section.stiffness, moves, moments[0][k], moments[1][k]);
-        row.extend(parts.map(|part| sqrt(weight / alpha) * part));
-        if element.moves(2) {
-            let stiffness = alpha * section.stiffness[2] + s * section.trapeze_stiffness();
-            row.push(sqrt(weight / stiffness) * moments[2][k]);
-        }
-    }
-    row
 }

@@ -5,8 +5,7 @@ use super::assembly::Assembly;
 use super::blade::CoupledBlade;
 use super::bounds::{Proof, lower_bounds, rounding};
 use super::element::{PointFields, STATES};
-use super::equilibrium::{ModeEnergies, ModeFields, energies, residuals};
-use super::layout::Layout;
+use super::equilibrium::{ModeEnergies, ModeFields, OwnEnergies, energies, own_energies, residuals};
 use super::terms::FIELDS;
 use super::{CoupledMode, Proven, sample, shares};
 use crate::dof::Dof;
@@ -17,7 +16,7 @@ use crate::numerics::scalar::{ceil, maximum};
 use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 /// No function turns by more than this within an element [rad], whose points then see all of it.
 const TURN: f64 = 4.0;
@@ -47,7 +46,7 @@ pub struct ClassicalModes {
 impl<'a> Classical<'a> {
     /// With these functions, each from the root of its motion outward.
     pub fn new(blade: &'a CoupledBlade, functions: &'a Functions, rules: &GaussRules) -> Self {
-        let assembly = Assembly::to_sum_on(blade, &layout(blade, functions), rules);
+        let assembly = Assembly::of_order(blade, &radii(blade, functions), ORDER, rules);
         let fields = fields(&assembly, blade, functions);
         let energies = energies(&assembly, &fields);
         Self { blade, functions, assembly, fields, energies }
@@ -84,14 +83,14 @@ impl<'a> Classical<'a> {
         let wanted = proven.map_or(count, |proven| count.max(proven.proof.below));
         let found = available(&g, &self.energies.inertia, wanted)?;
         let fields = self.fields.combined(&found.vectors);
-        let energies = energies(&self.assembly, &fields);
-        let energy = |i: usize| energies.elastic[(i, i)] + s * energies.centrifugal[(i, i)];
-        let values: Vec<f64> = (0..found.values.len()).map(|i| energy(i) / energies.inertia[(i, i)]).collect();
+        let energies = own_energies(&self.assembly, &fields);
+        let quotient = |OwnEnergies { sums: [elastic, centrifugal, inertia], .. }: &OwnEnergies| {
+            (elastic + s * centrifugal) / inertia
+        };
+        let values: Vec<f64> = energies.iter().map(quotient).collect();
         let gaps = residuals(self.blade, &self.assembly, &fields, &values, s).energies();
         let lower = proven.map(|proven| lower(&values, &gaps, proven));
         let rounding = rounding(&energies, &values, s, proven.map_or(0.0, |proven| proven.proof.sigma));
-        let kinetic = shares::kinetic(&self.assembly, &fields);
-        let unit = |i: usize| DVector::from_fn(values.len(), |j, _| if i == j { 1.0 } else { 0.0 });
         let mode = |i: usize| CoupledMode {
             eigenvalue: values[i],
             error: gaps[(i, i)],
@@ -99,7 +98,7 @@ impl<'a> Classical<'a> {
                 let least = lower[i].is_finite().then(|| lower[i].min(values[i]) - rounding[i])?;
                 Some((least, values[i] + rounding[i]))
             }),
-            shares: shares::shares(&kinetic, &unit(i)),
+            shares: shares::own_shares(&self.assembly, &fields, i),
         };
         let count = count.min(values.len());
         Ok(ClassicalModes {
@@ -153,8 +152,8 @@ fn available(g: &DMatrix<f64>, m: &DMatrix<f64>, count: usize) -> Result<Eigen, 
     }
 }
 
-/// Elements on which no function turns too far.
-fn layout(blade: &CoupledBlade, functions: &Functions) -> Layout {
+/// Ends of elements on which no function turns too far [m].
+fn radii(blade: &CoupledBlade, functions: &Functions) -> Vec<f64> {
     let fastest = functions.iter().map(|own| own.wave_number()).fold(0.0, maximum);
     let mut radii = Vec::new();
     for ends in blade.stations().windows(2) {
@@ -163,20 +162,26 @@ fn layout(blade: &CoupledBlade, functions: &Functions) -> Layout {
         radii.extend((0_u32..).map(f64::from).take_while(|i| *i < parts).map(|i| from + length * (i / parts)));
     }
     radii.push(blade.radius);
-    let orders = vec![[ORDER; 3]; radii.len() - 1];
-    Layout { radii, orders, highest: 0.0 }
+    radii
 }
 
 /// Every function at the points of the elements, flap, lag and torsion in a row.
 fn fields(assembly: &Assembly, blade: &CoupledBlade, functions: &Functions) -> ModeFields {
-    let mut all = ModeFields::default();
+    let (along, mut all) = (&assembly.along, ModeFields::default());
     for (dof, functions) in Dof::ALL.into_iter().zip(functions) {
         let count = functions.count();
-        let first = all.count();
-        (0..count).for_each(|_| all.push());
         let (place, taken) = (3 * dof.index(), if dof == Dof::Torsion { 2 } else { 3 });
         let parts = |sample: &Sample| [sample.value, sample.slope, sample.curvature];
-        for element in &assembly.elements {
+        // States are w, w′, v, v′, φ.
+        let state = |sample: &Sample| {
+            let mut state = [0.0; STATES];
+            let own = state[2 * dof.index()..].iter_mut().zip(parts(sample)).take(taken - 1);
+            own.for_each(|(state, value)| *state = value);
+            state
+        };
+        let none: PointFields = core::array::from_fn(|_| vec![0.0; along.points()]);
+        let (mut at, mut inner, mut outer) = (vec![none; count], vec![Vec::new(); count], vec![Vec::new(); count]);
+        for (index, element) in assembly.elements.iter().enumerate() {
             let points = element.points();
             let from = element.from - blade.root(dof).offset;
             let mut samples = vec![Sample::default(); count * points];
@@ -184,23 +189,21 @@ fn fields(assembly: &Assembly, blade: &CoupledBlade, functions: &Functions) -> M
             if element.moves(dof.index()) {
                 let offsets: Vec<f64> = element.rule_nodes().map(|(node, _)| element.half * node).collect();
                 functions.sample_about(from + element.half, &offsets, &mut samples);
-                functions.sample(from.max(0.0), &mut ends[0]);
+                functions.sample(from, &mut ends[0]);
                 functions.sample(from + 2.0 * element.half, &mut ends[1]);
             }
             for i in 0..count {
-                let mut own = PointFields::default();
+                let own = &samples[i * points..(i + 1) * points];
                 for (field, part) in (place..place + taken).zip(0..) {
-                    own[field] = samples[i * points..(i + 1) * points].iter().map(|at| parts(at)[part]).collect();
+                    let here = at[i][field][along.part(index)].iter_mut().zip(own);
+                    here.for_each(|(out, sample)| *out = parts(sample)[part]);
                 }
-                // States are w, w′, v, v′, φ.
-                let state = |end: &[Sample]| {
-                    let mut state = [0.0; STATES];
-                    let at = parts(&end[i]);
-                    state[2 * dof.index()..].iter_mut().zip(at).take(taken - 1).for_each(|(s, value)| *s = value);
-                    state
-                };
-                all.append(first + i, own, state(&ends[0]), state(&ends[1]));
+                inner[i].push(state(&ends[0][i]));
+                outer[i].push(state(&ends[1][i]));
             }
+        }
+        for ((at, inner), outer) in at.into_iter().zip(inner).zip(outer) {
+            all.push(at, inner, outer);
         }
     }
     all

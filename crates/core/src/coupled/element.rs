@@ -5,11 +5,11 @@
 //! on short elements.
 
 use super::blade::{CoupledSection, CoupledStretch};
-use super::terms::{FIELDS, SectionWeights, Weights};
+use super::terms::{FIELDS, SectionWeights, TERMS, place};
 use crate::dof::Dof;
 use crate::lagrange::Energy;
 use crate::numerics::legendre::{Outboard, Tables};
-use crate::numerics::vector::{axpy, dot};
+use crate::numerics::vector::{axpy, dot, long_dot};
 use alloc::rc::Rc;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -18,8 +18,10 @@ use alloc::vec::Vec;
 pub const STATES: usize = 5;
 /// Place of each state among the fields.
 pub const STATE_FIELDS: [usize; STATES] = [0, 1, 3, 4, 6];
+/// Places of w″, v″ and φ′ among the fields.
+pub const STRAIN_FIELDS: [usize; 3] = [2, 5, 7];
 /// Fields of each degree of freedom.
-pub const FIELDS_OF: [core::ops::Range<usize>; 3] = [0..3, 3..6, 6..8];
+const FIELDS_OF: [core::ops::Range<usize>; 3] = [0..3, 3..6, 6..8];
 
 /// A quadrature rule with the polynomials at its points.
 #[derive(Clone, Debug)]
@@ -43,22 +45,43 @@ impl Rule {
 pub struct Couplings(pub Vec<(usize, usize, Vec<f64>)>);
 
 impl Couplings {
-    fn new(weights: &[SectionWeights], of: fn(&SectionWeights) -> &Weights) -> Self {
-        Self::of(&weights.iter().map(|weights| *of(weights)).collect::<Vec<_>>())
-    }
-
-    /// From the weights at every point.
-    pub fn of(weights: &[Weights]) -> Self {
+    /// Of one matrix on these sections.
+    fn new(sections: &[CoupledSection], energy: Energy) -> Self {
         let mut pairs = Vec::new();
-        for row in 0..FIELDS {
-            for column in 0..FIELDS {
-                let along: Vec<f64> = weights.iter().map(|weights| weights[row][column]).collect();
-                if along.iter().any(|weight| *weight != 0.0) {
-                    pairs.push((row, column, along));
-                }
+        for term in TERMS.iter().filter(|term| term.energy == energy) {
+            let along: Vec<f64> = sections.iter().map(term.weight).collect();
+            if along.iter().all(|weight| *weight == 0.0) {
+                continue;
             }
+            let (row, column) = (place(term.row), place(term.column));
+            if row != column {
+                pairs.push((column, row, along.clone()));
+            }
+            pairs.push((row, column, along));
         }
         Self(pairs)
+    }
+
+    /// Of an antisymmetric matrix on these sections: each pair of fields has the other sign the other way.
+    pub fn skew(sections: &[CoupledSection], terms: &[SkewTerm]) -> Self {
+        let mut pairs = Vec::new();
+        for (row, column, weight) in terms {
+            let along: Vec<f64> = sections.iter().map(weight).collect();
+            pairs.push((*column, *row, along.iter().map(|weight| -weight).collect()));
+            pairs.push((*row, *column, along));
+        }
+        Self(pairs)
+    }
+
+    /// The same at points `from` … of `all` along the blade.
+    pub fn scatter(&self, from: usize, all: usize, whole: &mut Self) {
+        for (row, column, along) in &self.0 {
+            let at = whole.0.iter().position(|pair| (pair.0, pair.1) == (*row, *column)).unwrap_or_else(|| {
+                whole.0.push((*row, *column, vec![0.0; all]));
+                whole.0.len() - 1
+            });
+            whole.0[at].2[from..from + along.len()].copy_from_slice(along);
+        }
     }
 
     /// Adds `factor` times what the fields at the points load each field with.
@@ -75,8 +98,49 @@ impl Couplings {
     }
 }
 
-/// Fields at the points of one element; what is empty is 0.
+/// A pair of fields of an antisymmetric matrix, row before column, and its weight.
+pub type SkewTerm = (usize, usize, fn(&CoupledSection) -> f64);
+
+/// Fields at the points of one element, or of the whole blade; what is empty is 0.
 pub type PointFields = [Vec<f64>; FIELDS];
+
+/// Functions of an element at its points: each moves one degree of freedom.
+#[derive(Clone, Debug)]
+pub struct Functions {
+    /// Points.
+    points: usize,
+    /// The degree of freedom of each function; 3 where it does not move here.
+    dofs: Vec<usize>,
+    /// Function by function, the fields of its degree of freedom, in room for three.
+    values: Vec<f64>,
+}
+
+impl Functions {
+    /// Number of functions.
+    pub fn count(&self) -> usize {
+        self.dofs.len()
+    }
+
+    /// The fields that a function has.
+    pub fn fields_of(&self, function: usize) -> core::ops::Range<usize> {
+        FIELDS_OF.get(self.dofs[function]).cloned().unwrap_or(0..0)
+    }
+
+    /// A field of a function at the points, where it has it.
+    pub fn field(&self, function: usize, field: usize) -> Option<&[f64]> {
+        let own = self.fields_of(function);
+        let from = (3 * function + field.checked_sub(own.start)?) * self.points;
+        own.contains(&field).then(|| &self.values[from..from + self.points])
+    }
+
+    fn set(&mut self, function: usize, dof: usize, fields: [&[f64]; 3], factors: [f64; 3]) {
+        self.dofs[function] = dof;
+        let room = self.values[3 * function * self.points..].chunks_exact_mut(self.points.max(1));
+        for ((out, values), factor) in room.zip(fields).zip(factors) {
+            out.iter_mut().zip(values).for_each(|(out, value)| *out = factor * value);
+        }
+    }
+}
 
 /// One element.
 #[derive(Clone, Debug)]
@@ -99,7 +163,12 @@ pub struct Element {
     pub lumps: Vec<CoupledSection>,
     /// The weights of their terms.
     pub hung: Option<SectionWeights>,
+    /// The state at the outer end as sums of the element's functions: each a list of place and factor.
+    pub transfer: Transfer,
 }
+
+/// States as sums of functions, each a list of place and factor.
+pub type Transfer = [Vec<(usize, f64)>; STATES];
 
 impl Element {
     /// On a stretch; degrees of freedom with order 0 do not move.
@@ -107,18 +176,18 @@ impl Element {
         let half = 0.5 * (stretch.to - stretch.from);
         let sections: Vec<CoupledSection> =
             rule.nodes.iter().map(|(xi, _)| stretch.section(stretch.from + half * (1.0 + xi))).collect();
-        let weights: Vec<SectionWeights> = sections.iter().map(SectionWeights::new).collect();
-        let matrices: [fn(&SectionWeights) -> &Weights; 3] = [|w| &w.elastic, |w| &w.centrifugal, |w| &w.inertia];
         Self {
             from: stretch.from,
             half,
             orders,
             weight: rule.nodes.iter().map(|(_, weight)| half * weight).collect(),
-            couplings: matrices.map(|of| Couplings::new(&weights, of)),
+            couplings: [Energy::Elastic, Energy::Centrifugal, Energy::Inertia]
+                .map(|energy| Couplings::new(&sections, energy)),
             sections,
             rule,
             hung: lumps.iter().map(SectionWeights::new).reduce(|sum, own| sum.plus(&own)),
             lumps,
+            transfer: transfer(half, orders),
         }
     }
 
@@ -153,138 +222,105 @@ impl Element {
     }
 
     /// All functions, by place; a degree of freedom that does not move leaves its states without fields.
-    pub fn functions(&self) -> Vec<PointFields> {
-        let mut all = vec![PointFields::default(); self.count()];
+    pub fn functions(&self) -> Functions {
+        let (tables, half, points) = (&self.rule.tables, self.half, self.points());
+        let (ones, zeros) = (vec![1.0; points], vec![0.0; points]);
+        let mut all = Functions { points, dofs: vec![3; self.count()], values: vec![0.0; 3 * self.count() * points] };
+        let (states, mut first) = (self.strains(), 0);
         for dof in (0..3).filter(|dof| self.moves(*dof)) {
-            self.functions_of(dof, &mut all);
+            for j in 0..self.orders[dof] {
+                if dof == Dof::Torsion.index() {
+                    all.set(first + j, dof, [tables.first(j), tables.value(j), &zeros], [half, 1.0, 0.0]);
+                } else {
+                    let fields = [tables.second(j), tables.first(j), tables.value(j)];
+                    all.set(first + j, dof, fields, [half * half, half, 1.0]);
+                }
+            }
+            first += self.orders[dof];
+            all.set(states + 2 * dof, dof, [&ones, &zeros, &zeros], [1.0; 3]);
+            if dof != Dof::Torsion.index() {
+                // I₀ = 1 + ξ: the lever of a rotation about the inner end.
+                all.set(states + 2 * dof + 1, dof, [tables.first(0), &ones, &zeros], [half, 1.0, 0.0]);
+            }
         }
         all
     }
 
-    fn functions_of(&self, dof: usize, all: &mut [PointFields]) {
-        let (tables, half, points) = (&self.rule.tables, self.half, self.points());
-        let first: usize = self.orders[..dof].iter().sum();
-        let scaled = |values: &[f64], factor: f64| values.iter().map(|v| v * factor).collect::<Vec<f64>>();
-        let ones = || vec![1.0; points];
-        if dof == Dof::Torsion.index() {
-            for j in 0..self.orders[dof] {
-                all[first + j][6] = scaled(tables.first(j), half);
-                all[first + j][7] = tables.value(j).to_vec();
-            }
-            all[self.strains() + 4][6] = ones();
-            return;
-        }
-        let field = 3 * dof;
-        for j in 0..self.orders[dof] {
-            all[first + j][field] = scaled(tables.second(j), half * half);
-            all[first + j][field + 1] = scaled(tables.first(j), half);
-            all[first + j][field + 2] = tables.value(j).to_vec();
-        }
-        all[self.strains() + 2 * dof][field] = ones();
-        // I₀ = 1 + ξ: the lever of a rotation about the inner end.
-        let rotated = &mut all[self.strains() + 2 * dof + 1];
-        (rotated[field], rotated[field + 1]) = (scaled(tables.first(0), half), ones());
-    }
-
-    /// What each function loads each field with, as a sum of matrices times factors.
-    pub fn loads(&self, functions: &[PointFields], sum: &[(Energy, f64)]) -> Vec<PointFields> {
-        let load = |own: &PointFields| {
-            let mut loads = PointFields::default();
-            for (energy, factor) in sum {
-                self.couplings(*energy).load(*factor, own, &mut loads);
-            }
-            loads
-        };
-        functions.iter().map(load).collect()
-    }
-
     /// One matrix of the element, with what hangs at its outer end.
-    pub fn matrix(&self, functions: &[PointFields], energy: Energy) -> Square {
-        let mut matrix = Square::zero(self.count());
-        let mut loads = self.loads(functions, &[(energy, 1.0)]);
-        for load in loads.iter_mut().flatten() {
-            load.iter_mut().zip(&self.weight).for_each(|(load, w)| *load *= w);
-        }
-        for (j, loads) in loads.iter().enumerate() {
-            for (i, own) in functions.iter().enumerate().skip(j) {
-                let sum = work(own, loads);
-                *matrix.at_mut(i, j) = sum;
-                *matrix.at_mut(j, i) = sum;
-            }
-        }
+    pub fn matrix(&self, functions: &Functions, energy: Energy) -> Square {
+        let mut matrix = self.lower(functions, self.couplings(energy));
+        matrix.mirror();
         if let Some(hung) = &self.hung {
             let hung = hung.of(energy);
-            matrix.add_outer(&self.transfer(), |p, q| hung[STATE_FIELDS[p]][STATE_FIELDS[q]]);
+            matrix.add_outer(&self.transfer, |p, q| hung[STATE_FIELDS[p]][STATE_FIELDS[q]]);
         }
         matrix
     }
 
-    /// An antisymmetric matrix of the element, of couplings at its points and of what hangs at its outer end.
-    pub fn skew(&self, functions: &[PointFields], couplings: &Couplings, hung: Option<Weights>) -> Square {
+    /// The lower triangle of a matrix of couplings at the points.
+    pub fn lower(&self, functions: &Functions, couplings: &Couplings) -> Square {
         let mut matrix = Square::zero(self.count());
-        for (j, own) in functions.iter().enumerate() {
-            let mut loads = PointFields::default();
-            couplings.load(1.0, own, &mut loads);
-            for load in &mut loads {
-                load.iter_mut().zip(&self.weight).for_each(|(load, w)| *load *= w);
+        let mut load = vec![0.0; self.points()];
+        for (row, column, along) in &couplings.0 {
+            for j in 0..functions.count() {
+                let Some(own) = functions.field(j, *column) else { continue };
+                let weighted = own.iter().zip(along).zip(&self.weight).map(|((own, a), w)| own * a * w);
+                load.iter_mut().zip(weighted).for_each(|(load, value)| *load = value);
+                for i in j..functions.count() {
+                    if let Some(other) = functions.field(i, *row) {
+                        *matrix.at_mut(i, j) += dot(other, &load);
+                    }
+                }
             }
-            for (i, other) in functions.iter().enumerate().skip(j + 1) {
-                let sum = work(other, &loads);
-                *matrix.at_mut(i, j) = sum;
-                *matrix.at_mut(j, i) = -sum;
-            }
-        }
-        if let Some(hung) = hung {
-            matrix.add_outer(&self.transfer(), |p, q| hung[STATE_FIELDS[p]][STATE_FIELDS[q]]);
         }
         matrix
-    }
-
-    /// The state at the outer end as sums of the element's functions: each a list of place and factor.
-    pub fn transfer(&self) -> [Vec<(usize, f64)>; STATES] {
-        let (length, states) = (2.0 * self.half, self.strains());
-        let mut transfer: [Vec<(usize, f64)>; STATES] = Default::default();
-        let mut first = 0;
-        for dof in 0..2 {
-            let order = self.orders[dof];
-            if order > 0 {
-                let (w, w1) = (states + 2 * dof, states + 2 * dof + 1);
-                // J₀(1) = 2, J₁(1) = −2/3.
-                transfer[2 * dof] = vec![(w, 1.0), (w1, length), (first, 0.5 * length * length)];
-                if order > 1 {
-                    transfer[2 * dof].push((first + 1, -length * length / 6.0));
-                }
-                transfer[2 * dof + 1] = vec![(w1, 1.0), (first, length)];
-            }
-            first += order;
-        }
-        if self.orders[2] > 0 {
-            transfer[4] = vec![(states + 4, 1.0), (first, length)];
-        }
-        transfer
     }
 
     /// The state at the outer end of a sum of functions.
     pub fn outer_state(&self, coefficients: &[f64]) -> [f64; STATES] {
-        self.transfer().map(|row| row.iter().map(|&(place, factor)| factor * coefficients[place]).sum())
+        self.transfer.each_ref().map(|row| row.iter().map(|&(place, factor)| factor * coefficients[place]).sum())
     }
 
-    /// The fields at the points of a sum of functions.
-    pub fn fields(&self, functions: &[PointFields], coefficients: &[f64]) -> PointFields {
-        let mut out: PointFields = core::array::from_fn(|_| vec![0.0; self.points()]);
-        for (own, factor) in functions.iter().zip(coefficients).filter(|(_, factor)| **factor != 0.0) {
-            for (out, values) in out.iter_mut().zip(own) {
-                axpy(out, *factor, values);
+    /// Adds the fields of a sum of functions, at the points `from` … of all.
+    pub fn add_fields(&self, functions: &Functions, coefficients: &[f64], from: usize, out: &mut PointFields) {
+        for (function, factor) in coefficients.iter().enumerate().filter(|(_, factor)| **factor != 0.0) {
+            for field in functions.fields_of(function) {
+                if let Some(own) = functions.field(function, field) {
+                    axpy(&mut out[field][from..from + self.points()], *factor, own);
+                }
             }
         }
-        out
     }
+}
+
+/// The state at the outer end of an element as sums of its functions.
+fn transfer(half: f64, orders: [usize; 3]) -> Transfer {
+    let (length, states) = (2.0 * half, orders.iter().sum::<usize>());
+    let mut transfer = Transfer::default();
+    let mut first = 0;
+    for dof in 0..2 {
+        let order = orders[dof];
+        if order > 0 {
+            let (w, w1) = (states + 2 * dof, states + 2 * dof + 1);
+            // J₀(1) = 2, J₁(1) = −2/3.
+            transfer[2 * dof] = vec![(w, 1.0), (w1, length), (first, 0.5 * length * length)];
+            if order > 1 {
+                transfer[2 * dof].push((first + 1, -length * length / 6.0));
+            }
+            transfer[2 * dof + 1] = vec![(w1, 1.0), (first, length)];
+        }
+        first += order;
+    }
+    if orders[2] > 0 {
+        transfer[4] = vec![(states + 4, 1.0), (first, length)];
+    }
+    transfer
 }
 
 /// Σ of fields times loads over the points.
 pub fn work(fields: &PointFields, loads: &PointFields) -> f64 {
     let parts = fields.iter().zip(loads).filter(|(field, load)| !field.is_empty() && !load.is_empty());
-    parts.map(|(field, load)| dot(field, load)).sum()
+    parts.map(|(field, load)| long_dot(field, load)).sum()
 }
 
 /// A square matrix, column by column.
@@ -326,13 +362,22 @@ impl Square {
         (&left[j * self.n..(j + 1) * self.n], &mut right[..self.n])
     }
 
+    /// What stands below the diagonal above it too.
+    fn mirror(&mut self) {
+        for j in 0..self.n {
+            for i in j + 1..self.n {
+                *self.at_mut(j, i) = self.at(i, j);
+            }
+        }
+    }
+
     /// Adds `factor` times another.
     pub fn add(&mut self, factor: f64, other: &Self) {
         self.entries.iter_mut().zip(&other.entries).for_each(|(a, b)| *a += factor * b);
     }
 
     /// Adds Σ of `weight(p, q)` times row p times row q of a transfer.
-    pub fn add_outer(&mut self, transfer: &[Vec<(usize, f64)>; STATES], weight: impl Fn(usize, usize) -> f64) {
+    pub fn add_outer(&mut self, transfer: &Transfer, weight: impl Fn(usize, usize) -> f64) {
         for (p, row) in transfer.iter().enumerate() {
             for (q, column) in transfer.iter().enumerate() {
                 let weight = weight(p, q);
@@ -348,12 +393,10 @@ impl Square {
         }
     }
 
-    /// This times a vector.
-    pub fn times(&self, x: &[f64], out: &mut Vec<f64>) {
-        out.clear();
-        out.resize(self.n, 0.0);
+    /// This times a vector, which is added.
+    pub fn add_times(&self, x: &[f64], out: &mut [f64]) {
         for (j, x) in x.iter().enumerate() {
-            out.iter_mut().zip(self.column(j)).for_each(|(out, a)| *out += x * a);
+            axpy(out, *x, self.column(j));
         }
     }
 }

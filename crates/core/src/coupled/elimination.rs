@@ -5,6 +5,8 @@ use super::blade::CoupledBlade;
 use super::element::{Element, STATES, Square};
 use crate::blade::RootCondition;
 use crate::dof::Dof;
+use crate::numerics::vector::{axpy, dot};
+use alloc::rc::Rc;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -104,12 +106,18 @@ pub struct Factor {
 impl Factor {
     /// Of the forms of all elements, which are used up; springs are multiplied by `alpha`. `None` where a pivot
     /// is 0 or not a number, and where `definite` is asked for and one is not above 0.
-    pub fn new(elements: &[Element], forms: Vec<Square>, roots: &Roots, alpha: f64, definite: bool) -> Option<Self> {
+    pub fn new(
+        elements: &[Rc<Element>],
+        forms: Vec<Square>,
+        roots: &Roots,
+        alpha: f64,
+        definite: bool,
+    ) -> Option<Self> {
         let mut outboard = [[0.0; STATES]; STATES];
         let mut negative = 0;
         let mut out: Vec<Eliminated> = Vec::with_capacity(elements.len());
         for (index, (element, mut form)) in elements.iter().zip(forms).enumerate().rev() {
-            form.add_outer(&element.transfer(), |p, q| outboard[p][q]);
+            form.add_outer(&element.transfer, |p, q| outboard[p][q]);
             let strains = element.strains();
             let mut pivots = Vec::with_capacity(strains);
             for k in 0..strains {
@@ -172,21 +180,23 @@ impl Factor {
     }
 
     /// The answer to loads on the functions of every element, in their place: coefficients of all functions.
-    pub fn solve(&self, elements: &[Element], vector: &mut [Vec<f64>]) {
+    pub fn solve(&self, elements: &[Rc<Element>], vector: &mut [f64]) {
         let mut outboard: State = [0.0; STATES];
         let mut at_roots: Vec<State> = vec![[0.0; STATES]; elements.len()];
+        let mut end = vector.len();
         for (index, (element, own)) in elements.iter().zip(&self.elements).enumerate().rev() {
-            let load = &mut vector[index];
-            for (row, outboard) in element.transfer().iter().zip(outboard) {
+            let from = end - element.count();
+            let load = &mut vector[from..end];
+            end = from;
+            for (row, outboard) in element.transfer.iter().zip(outboard) {
                 for (place, factor) in row {
                     load[*place] += factor * outboard;
                 }
             }
             let strains = element.strains();
             for k in 0..strains {
-                let value = load[k];
-                let column = &own.lower.column(k)[k + 1..];
-                load[k + 1..].iter_mut().zip(column).for_each(|(load, l)| *load -= l * value);
+                let (value, below) = load[k..].split_first_mut().map_or((0.0, &mut [][..]), |(v, below)| (*v, below));
+                axpy(below, -value, &own.lower.column(k)[k + 1..]);
             }
             outboard.copy_from_slice(&load[strains..]);
             own.held.iter().for_each(|held| outboard[*held] = 0.0);
@@ -205,18 +215,19 @@ impl Factor {
             }
         }
         let mut state: State = [0.0; STATES];
+        let mut from = 0;
         for (index, (element, own)) in elements.iter().zip(&self.elements).enumerate() {
             for (free, pivot, column) in own.root.iter().rev() {
                 let others: f64 = (0..STATES).filter(|p| p != free).map(|p| column[p] * state[p]).sum();
                 state[*free] = at_roots[index][*free] / pivot - others;
             }
-            let solution = &mut vector[index];
+            let solution = &mut vector[from..from + element.count()];
+            from += element.count();
             let strains = element.strains();
             solution[strains..].copy_from_slice(&state);
             for k in (0..strains).rev() {
                 let column = &own.lower.column(k)[k + 1..];
-                let sum: f64 = column.iter().zip(&solution[k + 1..]).map(|(l, x)| l * x).sum();
-                solution[k] = solution[k] / own.pivots[k] - sum;
+                solution[k] = solution[k] / own.pivots[k] - dot(column, &solution[k + 1..]);
             }
             state = element.outer_state(solution);
         }

@@ -4,14 +4,14 @@
 
 use super::assembly::{Assembly, Vector};
 use super::blade::CoupledBlade;
-use super::element::{Element, FIELDS_OF, PointFields, STATE_FIELDS, STATES, work};
+use super::element::{Element, PointFields, STATE_FIELDS, STATES, STRAIN_FIELDS, work};
 use super::gyroscopic::Gyroscopic;
 use super::terms::Weights;
 use crate::blade::RootCondition;
 use crate::dof::Dof;
 use crate::lagrange::Energy;
 use crate::numerics::scalar::{sin_cos, sqrt};
-use crate::numerics::vector::dot;
+use crate::numerics::vector::{axpy, dot, long_dot};
 use alloc::vec;
 use alloc::vec::Vec;
 use nalgebra::DMatrix;
@@ -19,8 +19,8 @@ use nalgebra::DMatrix;
 /// Fields of modes along the whole blade.
 #[derive(Clone, Debug, Default)]
 pub struct ModeFields {
-    /// Mode by mode, element by element.
-    pub at: Vec<Vec<PointFields>>,
+    /// Mode by mode, at the points of all elements.
+    pub at: Vec<PointFields>,
     /// States at the outer end of each element, mode by mode.
     outer: Vec<Vec<[f64; STATES]>>,
     /// States at the inner end of each element, mode by mode.
@@ -31,10 +31,13 @@ impl ModeFields {
     /// Of these functions.
     pub fn new(assembly: &Assembly, modes: &[Vector]) -> Self {
         let mut fields = Self { at: Vec::new(), outer: Vec::new(), inner: Vec::new() };
+        let points = assembly.along.points();
         for mode in modes {
-            let (mut at, mut outer, mut inner) = (Vec::new(), Vec::new(), Vec::new());
-            for ((element, functions), own) in assembly.elements.iter().zip(&assembly.functions).zip(mode) {
-                at.push(element.fields(functions, own));
+            let mut at: PointFields = core::array::from_fn(|_| vec![0.0; points]);
+            let (mut outer, mut inner) = (Vec::new(), Vec::new());
+            for (index, (element, functions)) in assembly.elements.iter().zip(&assembly.functions).enumerate() {
+                let own = &mode[assembly.part(index)];
+                element.add_fields(functions, own, assembly.along.part(index).start, &mut at);
                 outer.push(element.outer_state(own));
                 inner.push(core::array::from_fn(|state| own[element.strains() + state]));
             }
@@ -45,18 +48,48 @@ impl ModeFields {
         fields
     }
 
-    /// Adds a mode without elements.
-    pub fn push(&mut self) {
-        self.at.push(Vec::new());
-        self.outer.push(Vec::new());
-        self.inner.push(Vec::new());
+    /// Adds a mode: its fields at all points, and its states at the inner and outer end of every element.
+    pub fn push(&mut self, at: PointFields, inner: Vec<[f64; STATES]>, outer: Vec<[f64; STATES]>) {
+        self.at.push(at);
+        self.inner.push(inner);
+        self.outer.push(outer);
     }
 
-    /// Adds the next element of a mode: fields at its points, states at its inner and outer end.
-    pub fn append(&mut self, mode: usize, at: PointFields, inner: [f64; STATES], outer: [f64; STATES]) {
-        self.at[mode].push(at);
-        self.inner[mode].push(inner);
-        self.outer[mode].push(outer);
+    /// Sums of the modes, one for each column of `parts`.
+    pub fn combined(&self, parts: &DMatrix<f64>) -> Self {
+        let mut sums = Self::default();
+        for column in parts.column_iter() {
+            let mut at: PointFields = self
+                .at
+                .first()
+                .map_or_else(Default::default, |first| first.each_ref().map(|field| vec![0.0; field.len()]));
+            for (part, own) in column.iter().zip(&self.at) {
+                at.iter_mut().zip(own).for_each(|(sum, own)| axpy(sum, *part, own));
+            }
+            let states = |of: &[Vec<[f64; STATES]>]| -> Vec<[f64; STATES]> {
+                let sum = |element: usize, state: usize| {
+                    column.iter().zip(of).map(|(part, own)| part * own[element][state]).sum::<f64>()
+                };
+                let elements = 0..of.first().map_or(0, Vec::len);
+                elements.map(|element| core::array::from_fn(|state| sum(element, state))).collect()
+            };
+            sums.push(at, states(&self.inner), states(&self.outer));
+        }
+        sums
+    }
+
+    /// G between two modes.
+    pub fn turned(&self, assembly: &Assembly, g: &Gyroscopic, row: usize, column: usize) -> f64 {
+        let mut loads = PointFields::default();
+        g.along.load(1.0, &self.at[column], &mut loads);
+        for load in &mut loads {
+            load.iter_mut().zip(&assembly.along.weight).for_each(|(load, w)| *load *= w);
+        }
+        let node = |(hung, (a, b)): (&Option<Weights>, (&[f64; STATES], &[f64; STATES]))| {
+            hung.as_ref().map_or(0.0, |hung| node_energy(hung, a, b))
+        };
+        let nodes = g.hung.iter().zip(self.outer[row].iter().zip(&self.outer[column]));
+        work(&self.at[row], &loads) + nodes.map(node).sum::<f64>()
     }
 
     /// The state of a mode at the outer end of an element.
@@ -68,62 +101,12 @@ impl ModeFields {
     pub fn count(&self) -> usize {
         self.at.len()
     }
-
-    /// Sums of the modes, one for each column of `parts`.
-    pub fn combined(&self, parts: &DMatrix<f64>) -> Self {
-        let elements = self.at.first().map_or(0, Vec::len);
-        let mut sums = Self { at: Vec::new(), outer: Vec::new(), inner: Vec::new() };
-        for column in parts.column_iter() {
-            let mut at: Vec<PointFields> = Vec::with_capacity(elements);
-            for element in 0..elements {
-                let longest = self.at.iter().flat_map(|mode| &mode[element]).map(Vec::len).max();
-                let mut sum: PointFields = core::array::from_fn(|_| vec![0.0; longest.unwrap_or(0)]);
-                for (mode, part) in column.iter().enumerate() {
-                    for (sum, own) in sum.iter_mut().zip(&self.at[mode][element]) {
-                        crate::numerics::vector::axpy(sum, *part, own);
-                    }
-                }
-                at.push(sum);
-            }
-            let states = |of: &Vec<Vec<[f64; STATES]>>| -> Vec<[f64; STATES]> {
-                let each = |element: usize| {
-                    core::array::from_fn(|state| {
-                        column.iter().enumerate().map(|(mode, part)| part * of[mode][element][state]).sum()
-                    })
-                };
-                (0..elements).map(each).collect()
-            };
-            sums.at.push(at);
-            sums.outer.push(states(&self.outer));
-            sums.inner.push(states(&self.inner));
-        }
-        sums
-    }
-}
-
-impl ModeFields {
-    /// G between two modes.
-    pub fn turned(&self, assembly: &Assembly, g: &Gyroscopic, row: usize, column: usize) -> f64 {
-        let mut sum = 0.0;
-        for (index, element) in assembly.elements.iter().enumerate() {
-            let mut loads = PointFields::default();
-            g.couplings[index].load(1.0, &self.at[column][index], &mut loads);
-            for load in &mut loads {
-                load.iter_mut().zip(&element.weight).for_each(|(load, w)| *load *= w);
-            }
-            sum += work(&self.at[row][index], &loads);
-            if let Some(hung) = &g.hung[index] {
-                sum += node_energy(hung, &self.outer[row][index], &self.outer[column][index]);
-            }
-        }
-        sum
-    }
 }
 
 /// The matrices in the order of their energies.
 const ENERGIES: [Energy; 3] = [Energy::Elastic, Energy::Centrifugal, Energy::Inertia];
 
-/// Energies of modes with one another, and the sum of the sizes of every term of each.
+/// Energies of modes with one another, summed along the blade.
 #[derive(Clone, Debug)]
 pub struct ModeEnergies {
     /// K + F.
@@ -132,64 +115,76 @@ pub struct ModeEnergies {
     pub centrifugal: DMatrix<f64>,
     /// M.
     pub inertia: DMatrix<f64>,
-    /// Of K + F, C and M, mode by mode.
-    pub sizes: Vec<[f64; 3]>,
 }
 
-/// Energies of modes, summed along the blade.
+/// Of one mode, in K + F, C and M.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct OwnEnergies {
+    /// The energies.
+    pub sums: [f64; 3],
+    /// The sums of the sizes of all terms.
+    pub sizes: [f64; 3],
+}
+
+/// What the fields of a mode load each field with in one matrix, with the quadrature.
+fn weighted_loads(assembly: &Assembly, fields: &PointFields, energy: Energy) -> PointFields {
+    let mut loads = PointFields::default();
+    assembly.along.couplings(energy).load(1.0, fields, &mut loads);
+    for load in &mut loads {
+        load.iter_mut().zip(&assembly.along.weight).for_each(|(load, w)| *load *= w);
+    }
+    loads
+}
+
+/// Energies of modes with one another.
 pub fn energies(assembly: &Assembly, fields: &ModeFields) -> ModeEnergies {
     let n = fields.count();
     let mut matrices = [0, 1, 2].map(|_| DMatrix::<f64>::zeros(n, n));
-    let mut sizes = vec![[0.0; 3]; n];
-    for (index, element) in assembly.elements.iter().enumerate() {
-        for (energy, matrix) in ENERGIES.into_iter().zip(&mut matrices) {
-            let kind = energy as usize;
-            for j in 0..n {
-                let mut loads = PointFields::default();
-                element.couplings(energy).load(1.0, &fields.at[j][index], &mut loads);
-                for load in &mut loads {
-                    load.iter_mut().zip(&element.weight).for_each(|(load, w)| *load *= w);
-                }
-                for i in j..n {
-                    matrix[(i, j)] += work(&fields.at[i][index], &loads);
-                }
-                let own = &fields.at[j][index];
-                let size = |(own, load): (&Vec<f64>, &Vec<f64>)| -> f64 {
-                    own.iter().zip(load).map(|(a, b)| (a * b).abs()).sum()
-                };
-                sizes[j][kind] += own.iter().zip(&loads).map(size).sum::<f64>();
-            }
-            if let Some(hung) = &element.hung {
-                let weights = hung.of(energy);
-                for j in 0..n {
-                    for i in j..n {
-                        let (a, b) = (&fields.outer[i][index], &fields.outer[j][index]);
-                        matrix[(i, j)] += node_energy(weights, a, b);
-                        if i == j {
-                            sizes[j][kind] += node_energy(weights, a, b).abs();
-                        }
-                    }
-                }
-            }
-        }
-        let free = assembly.roots.free(index);
+    for (energy, matrix) in ENERGIES.into_iter().zip(&mut matrices) {
         for j in 0..n {
+            let loads = weighted_loads(assembly, &fields.at[j], energy);
             for i in j..n {
-                let (a, b) = (&fields.inner[i][index], &fields.inner[j][index]);
-                let spring: f64 =
-                    free.iter().flat_map(|p| free.iter().map(|q| assembly.roots.spring(*p, *q) * a[*p] * b[*q])).sum();
-                matrices[0][(i, j)] += spring;
-                if i == j {
-                    sizes[j][0] += spring;
-                }
+                matrix[(i, j)] = work(&fields.at[i], &loads) + at_nodes(assembly, fields, energy, i, j);
             }
         }
-    }
-    let [mut elastic, mut centrifugal, mut inertia] = matrices;
-    for matrix in [&mut elastic, &mut centrifugal, &mut inertia] {
         matrix.fill_upper_triangle_with_lower_triangle();
     }
-    ModeEnergies { elastic, centrifugal, inertia, sizes }
+    let [elastic, centrifugal, inertia] = matrices;
+    ModeEnergies { elastic, centrifugal, inertia }
+}
+
+/// Energies of each mode alone.
+pub fn own_energies(assembly: &Assembly, fields: &ModeFields) -> Vec<OwnEnergies> {
+    let own = |(mode, fields_of): (usize, &PointFields)| {
+        let mut own = OwnEnergies::default();
+        for (kind, energy) in ENERGIES.into_iter().enumerate() {
+            let loads = weighted_loads(assembly, fields_of, energy);
+            let nodes = at_nodes(assembly, fields, energy, mode, mode);
+            own.sums[kind] = work(fields_of, &loads) + nodes;
+            let size =
+                |(own, load): (&Vec<f64>, &Vec<f64>)| -> f64 { own.iter().zip(load).map(|(a, b)| (a * b).abs()).sum() };
+            own.sizes[kind] = fields_of.iter().zip(&loads).map(size).sum::<f64>() + nodes.abs();
+        }
+        own
+    };
+    fields.at.iter().enumerate().map(own).collect()
+}
+
+/// The energy of two modes in concentrated masses and springs.
+fn at_nodes(assembly: &Assembly, fields: &ModeFields, energy: Energy, i: usize, j: usize) -> f64 {
+    let mut sum = 0.0;
+    for (index, element) in assembly.elements.iter().enumerate() {
+        if let Some(hung) = &element.hung {
+            sum += node_energy(hung.of(energy), &fields.outer[i][index], &fields.outer[j][index]);
+        }
+        if energy == Energy::Elastic {
+            let (free, a, b) = (assembly.roots.free(index), &fields.inner[i][index], &fields.inner[j][index]);
+            for &p in free {
+                sum += free.iter().map(|q| assembly.roots.spring(p, *q) * a[p] * b[*q]).sum::<f64>();
+            }
+        }
+    }
+    sum
 }
 
 fn node_energy(weights: &Weights, a: &[f64; STATES], b: &[f64; STATES]) -> f64 {
@@ -206,29 +201,29 @@ fn node_energy(weights: &Weights, a: &[f64; STATES], b: &[f64; STATES]) -> f64 {
 /// v, moment of φ.
 pub type Handed = [f64; STATES];
 
-/// Moments μ_w, μ_v, μ_φ at the points of an element from its loads, and what it hands on, from what it is
-/// handed.
-pub fn moments(element: &Element, loads: &PointFields, handed: &mut Handed) -> [Vec<f64>; 3] {
+/// Moments μ_w, μ_v, μ_φ at the points of an element from its loads, which stand with those moments at `from` … of
+/// all, and what it hands on, from what it is handed.
+pub fn moments(element: &Element, loads: &PointFields, from: usize, handed: &mut Handed, moments: &mut [Vec<f64>; 3]) {
     let (outboard, half) = (&element.rule.outboard, element.half);
-    let mut moments: [Vec<f64>; 3] = Default::default();
+    let all = from..from + element.points();
+    let part = |field: usize| loads[field].get(all.clone()).unwrap_or(&[]);
+    let add = |to: &mut [f64], load: &[f64]| to.iter_mut().zip(load).for_each(|(to, load)| *to += load);
+    let sum = |load: &[f64]| if load.is_empty() { 0.0 } else { dot(&element.weight, load) };
+    let mut shear = vec![0.0; element.points()];
     for dof in 0..2 {
-        let [displaced, rotated, strained] = [0, 1, 2].map(|i| &loads[3 * dof + i]);
-        let mut shear = vec![0.0; element.points()];
+        let [displaced, rotated, strained] = [0, 1, 2].map(|i| part(3 * dof + i));
         outboard.integrate(displaced, handed[2 * dof], half, &mut shear);
-        shear.iter_mut().zip(rotated).for_each(|(shear, load)| *shear += load);
-        let mut moment = vec![0.0; element.points()];
-        outboard.integrate(&shear, handed[2 * dof + 1], half, &mut moment);
-        handed[2 * dof + 1] += dot(&element.weight, &shear);
-        handed[2 * dof] += dot(&element.weight, displaced);
-        moment.iter_mut().zip(strained).for_each(|(moment, load)| *moment += load);
-        moments[dof] = moment;
+        add(&mut shear, rotated);
+        let moment = &mut moments[dof][all.clone()];
+        outboard.integrate(&shear, handed[2 * dof + 1], half, moment);
+        add(moment, strained);
+        handed[2 * dof + 1] += sum(&shear);
+        handed[2 * dof] += sum(displaced);
     }
-    let mut moment = vec![0.0; element.points()];
-    outboard.integrate(&loads[6], handed[4], half, &mut moment);
-    handed[4] += dot(&element.weight, &loads[6]);
-    moment.iter_mut().zip(&loads[7]).for_each(|(moment, load)| *moment += load);
-    moments[2] = moment;
-    moments
+    let moment = &mut moments[2][all.clone()];
+    outboard.integrate(part(6), handed[4], half, moment);
+    add(moment, part(7));
+    handed[4] += sum(part(6));
 }
 
 /// What concentrated masses at a node hand inboard under these weights.
@@ -238,14 +233,11 @@ pub fn hand_on(weights: &Weights, state: &[f64; STATES], handed: &mut Handed) {
     }
 }
 
-/// Residual moments of modes along the blade, each as numbers whose squares sum to its energy in the inverse of
-/// the stiffness.
+/// Residual moments of modes along the blade.
 #[derive(Clone, Debug)]
 pub struct Residuals {
-    /// One list per mode.
+    /// One list per mode, as of [`residual`].
     rows: Vec<Vec<f64>>,
-    /// Where the numbers of each element begin.
-    starts: Vec<usize>,
 }
 
 impl Residuals {
@@ -255,7 +247,7 @@ impl Residuals {
         let mut energies = DMatrix::zeros(n, n);
         for j in 0..n {
             for i in j..n {
-                energies[(i, j)] = dot(&self.rows[i], &self.rows[j]);
+                energies[(i, j)] = long_dot(&self.rows[i], &self.rows[j]);
                 energies[(j, i)] = energies[(i, j)];
             }
         }
@@ -263,13 +255,15 @@ impl Residuals {
     }
 
     /// The largest share of each element in the energies, those of each mode times a factor.
-    pub fn shares(&self, factors: &[f64]) -> Vec<f64> {
-        let mut shares = vec![0.0_f64; self.starts.len()];
+    pub fn shares(&self, assembly: &Assembly, factors: &[f64]) -> Vec<f64> {
+        let mut shares = vec![0.0_f64; assembly.elements.len()];
+        let points = assembly.along.points();
         for (row, factor) in self.rows.iter().zip(factors) {
             for (index, share) in shares.iter_mut().enumerate() {
-                let end = self.starts.get(index + 1).copied().unwrap_or(row.len());
-                let own = &row[self.starts[index]..end];
-                *share = share.max(factor * dot(own, own));
+                let part = assembly.along.part(index);
+                let own = |number: usize| &row[number * points..][part.clone()];
+                let energy: f64 = [0, 1, 2].into_iter().map(own).map(|own| dot(own, own)).sum();
+                *share = share.max(factor * energy);
             }
         }
         shares
@@ -278,20 +272,10 @@ impl Residuals {
 
 /// Residual moments of modes with eigenvalues λ at Ω² = s.
 pub fn residuals(blade: &CoupledBlade, assembly: &Assembly, fields: &ModeFields, values: &[f64], s: f64) -> Residuals {
-    let mut found = Residuals { rows: Vec::new(), starts: vec![0; assembly.elements.len()] };
-    for (mode, value) in values.iter().enumerate() {
-        let factors = Factors { elastic: 1.0, centrifugal: s, inertia: *value };
-        let parts = residual(blade, assembly, fields, mode, factors);
-        let mut row = Vec::with_capacity(parts.iter().map(Vec::len).sum());
-        for (index, part) in parts.iter().enumerate() {
-            if let Some(start) = found.starts.get_mut(index) {
-                *start = row.len();
-            }
-            row.extend_from_slice(part);
-        }
-        found.rows.push(row);
-    }
-    found
+    let row = |(mode, value): (usize, &f64)| {
+        residual(blade, assembly, fields, mode, Factors { elastic: 1.0, centrifugal: s, inertia: *value })
+    };
+    Residuals { rows: values.iter().enumerate().map(row).collect() }
 }
 
 /// Coriolis loads in a residual: `factor` times G of another mode.
@@ -305,19 +289,6 @@ pub struct Turned<'a> {
     pub factor: f64,
 }
 
-/// The residual moment of a mode at Ω² = s and λ with Coriolis loads, as one row.
-pub fn residual_turned(
-    blade: &CoupledBlade,
-    assembly: &Assembly,
-    fields: &ModeFields,
-    mode: usize,
-    (s, value): (f64, f64),
-    turned: &Turned<'_>,
-) -> Vec<f64> {
-    let factors = Factors { elastic: 1.0, centrifugal: s, inertia: value };
-    residual_of(blade, assembly, fields, mode, factors, Some(turned)).concat()
-}
-
 /// How much of each load is in a residual: −(K + F), −Ω²C, +λM.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Factors {
@@ -329,49 +300,48 @@ pub struct Factors {
     pub inertia: f64,
 }
 
-/// The residual moment of one mode, element by element and then of the roots, as numbers whose squares sum to
-/// its energy in the inverse of the stiffness.
+/// The residual moment of one mode as numbers whose squares sum to its energy in the inverse of the stiffness: three
+/// at every point of the blade, first all of the first, and then those of the roots.
 pub fn residual(
     blade: &CoupledBlade,
     assembly: &Assembly,
     fields: &ModeFields,
     mode: usize,
     factors: Factors,
-) -> Vec<Vec<f64>> {
-    residual_of(blade, assembly, fields, mode, factors, None)
+) -> Vec<f64> {
+    residual_turned(blade, assembly, fields, mode, factors, None)
 }
 
-fn residual_of(
+/// The same with Coriolis loads.
+pub fn residual_turned(
     blade: &CoupledBlade,
     assembly: &Assembly,
     fields: &ModeFields,
     mode: usize,
     factors: Factors,
     turned: Option<&Turned<'_>>,
-) -> Vec<Vec<f64>> {
+) -> Vec<f64> {
+    let (along, here) = (&assembly.along, &fields.at[mode]);
+    let parts = [(Energy::Centrifugal, -factors.centrifugal), (Energy::Inertia, factors.inertia)];
+    let mut loads = PointFields::default();
+    for (energy, factor) in parts.into_iter().filter(|(_, factor)| *factor != 0.0) {
+        along.couplings(energy).load(factor, here, &mut loads);
+    }
+    if let Some(Turned { g, other, factor }) = turned {
+        g.along.load(*factor, &fields.at[*other], &mut loads);
+    }
+    let mut gaps: [Vec<f64>; 3] = core::array::from_fn(|_| vec![0.0; along.points()]);
     let mut handed: Handed = [0.0; STATES];
-    let mut parts: Vec<Vec<f64>> = vec![Vec::new(); assembly.elements.len()];
     let mut at_roots = Vec::new();
     for (index, element) in assembly.elements.iter().enumerate().rev() {
-        let here = &fields.at[mode][index];
         if let Some(hung) = &element.hung {
-            hand_on(
-                &hung.combined(0.0, -factors.centrifugal, factors.inertia),
-                &fields.outer[mode][index],
-                &mut handed,
-            );
+            let weights = hung.combined(0.0, -factors.centrifugal, factors.inertia);
+            hand_on(&weights, &fields.outer[mode][index], &mut handed);
         }
-        let mut loads: PointFields = core::array::from_fn(|_| vec![0.0; element.points()]);
-        element.couplings(Energy::Centrifugal).load(-factors.centrifugal, here, &mut loads);
-        element.couplings(Energy::Inertia).load(factors.inertia, here, &mut loads);
-        if let Some(Turned { g, other, factor }) = turned {
-            g.couplings[index].load(*factor, &fields.at[*other][index], &mut loads);
-            if let Some(hung) = &g.hung[index] {
-                hand_on(&hung.map(|row| row.map(|w| factor * w)), &fields.outer[*other][index], &mut handed);
-            }
+        if let Some((Turned { other, factor, .. }, hung)) = turned.and_then(|t| Some((t, t.g.hung[index].as_ref()?))) {
+            hand_on(&hung.map(|row| row.map(|w| factor * w)), &fields.outer[*other][index], &mut handed);
         }
-        let moments = moments(element, &loads, &mut handed);
-        parts[index] = gaps(element, &moments, here, factors.elastic);
+        moments(element, &loads, along.part(index).start, &mut handed, &mut gaps);
         let free = assembly.roots.free(index);
         let state = &fields.inner[mode][index];
         for &p in free {
@@ -380,8 +350,17 @@ fn residual_of(
         }
         end_at_roots(assembly, index, &mut handed);
     }
-    parts.push(root_gaps(blade, &at_roots));
-    parts
+    if factors.elastic != 0.0 {
+        let mut carried = PointFields::default();
+        along.couplings(Energy::Elastic).load(-factors.elastic, here, &mut carried);
+        for (gap, field) in gaps.iter_mut().zip(STRAIN_FIELDS) {
+            gap.iter_mut().zip(&carried[field]).for_each(|(gap, carried)| *gap += carried);
+        }
+    }
+    let mut row = Vec::with_capacity(3 * (along.points() + 1));
+    along.flexibility.scale(&gaps, &mut row);
+    row.extend(root_gaps(blade, &at_roots));
+    row
 }
 
 /// A motion ends at its root: nothing is handed farther inboard than the inner end of this element.
@@ -396,42 +375,8 @@ pub fn end_at_roots(assembly: &Assembly, index: usize, handed: &mut Handed) {
 /// States of each degree of freedom.
 pub const STATE_RANGE: [core::ops::Range<usize>; 3] = [0..2, 2..4, 4..5];
 
-/// The gaps between moments and strains at the points of an element, scaled by the flexibility.
-fn gaps(element: &Element, moments: &[Vec<f64>; 3], fields: &PointFields, elastic: f64) -> Vec<f64> {
-    let mut loads = PointFields::default();
-    element.couplings(Energy::Elastic).load(-elastic, fields, &mut loads);
-    let mut out = Vec::with_capacity(3 * element.points());
-    for (k, (section, weight)) in element.sections.iter().zip(&element.weight).enumerate() {
-        let gap = |dof: usize| moments[dof][k] + loads[FIELDS_OF[dof].end - 1].get(k).copied().unwrap_or(0.0);
-        let moves = [element.moves(0), element.moves(1)];
-        let parts = bending_parts(section.angle, section.stiffness, moves, gap(0), gap(1));
-        out.extend(parts.map(|part| sqrt(*weight) * part));
-        if element.moves(2) {
-            out.push(gap(2) * sqrt(weight / section.stiffness[2]));
-        }
-    }
-    out
-}
-
-/// Two numbers whose squares sum to the energy of bending moments in the inverse of the stiffness of the
-/// directions that bend.
-pub fn bending_parts(
-    (s, c): (f64, f64),
-    [first, second, _]: [f64; 3],
-    moves: [bool; 2],
-    flap: f64,
-    lag: f64,
-) -> [f64; 2] {
-    match moves {
-        [true, true] => [(c * flap - s * lag) / sqrt(first), (s * flap + c * lag) / sqrt(second)],
-        [true, false] => [flap / sqrt(first * c * c + second * s * s), 0.0],
-        [false, true] => [lag / sqrt(first * s * s + second * c * c), 0.0],
-        [false, false] => [0.0, 0.0],
-    }
-}
-
 /// The gaps at springs, scaled by their flexibility; a root without a spring stores nothing.
-fn root_gaps(blade: &CoupledBlade, gaps: &[(usize, f64)]) -> Vec<f64> {
+fn root_gaps(blade: &CoupledBlade, gaps: &[(usize, f64)]) -> [f64; 3] {
     let of = |state: usize| gaps.iter().find(|gap| gap.0 == state).map_or(0.0, |gap| gap.1);
     let (flap, lag) = (of(1), of(3));
     let (s, c) = sin_cos(blade.spring_angle);
@@ -440,5 +385,5 @@ fn root_gaps(blade: &CoupledBlade, gaps: &[(usize, f64)]) -> Vec<f64> {
         RootCondition::Free | RootCondition::Clamped => 0.0,
     };
     let (turned_flap, turned_lag) = (c * flap - s * lag, s * flap + c * lag);
-    vec![scaled(Dof::Flap, turned_flap), scaled(Dof::Lag, turned_lag), scaled(Dof::Torsion, of(4))]
+    [scaled(Dof::Flap, turned_flap), scaled(Dof::Lag, turned_lag), scaled(Dof::Torsion, of(4))]
 }

@@ -7,8 +7,8 @@ use super::assembly::{Assembly, Vector, sum};
 use super::blade::{CoupledBlade, CoupledSection};
 use super::bounds::{Missing, ROUNDING, SHIFTS, SLACK, separations};
 use super::certificate::{Form, index};
-use super::element::{Couplings, Square};
-use super::equilibrium::{ModeEnergies, ModeFields, Turned, energies, residual_turned};
+use super::element::{Couplings, Element, STATE_FIELDS, SkewTerm, Square};
+use super::equilibrium::{Factors, ModeFields, OwnEnergies, Turned, energies, own_energies, residual_turned};
 use super::range::orthonormal;
 use super::terms::{FIELDS, Weights};
 use super::{BEYOND, CoupledMode, CoupledModes, MOST_ROUNDS, ORDER_OF_PROOFS, TOLERANCE, converged, shares};
@@ -16,14 +16,13 @@ use crate::numerics::eigen::{EigenError, Turning, turning};
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::{maximum, sqrt};
 use crate::numerics::vector::dot;
+use alloc::rc::Rc;
+use alloc::vec;
 use alloc::vec::Vec;
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
-
-/// One coupling of G, row before column; the other way it has the other sign.
-type Term = (usize, usize, fn(&CoupledSection) -> f64);
+use nalgebra::{DMatrix, SymmetricEigen};
 
 /// The couplings of G between w, w′, v, v′ and φ, places among the fields.
-const TERMS: &[Term] = &[
+const TERMS: &[SkewTerm] = &[
     (0, 3, |p| 2.0 * p.precone.0 * p.mass),
     (0, 6, |p| -2.0 * p.precone.0 * p.moment() * p.angle.0),
     (1, 3, |p| 2.0 * p.precone.1 * p.moment() * p.angle.0),
@@ -54,6 +53,8 @@ fn weights(section: &CoupledSection) -> Weights {
 pub struct Gyroscopic {
     /// At the points of every element.
     pub couplings: Vec<Couplings>,
+    /// At all points.
+    pub along: Couplings,
     /// Of what hangs at the outer end of every element.
     pub hung: Vec<Option<Weights>>,
 }
@@ -63,16 +64,34 @@ impl Gyroscopic {
     pub fn new(assembly: &Assembly) -> Self {
         let of = |sections: &[CoupledSection]| -> Vec<Weights> { sections.iter().map(weights).collect() };
         let plus = |a: Weights, b: Weights| core::array::from_fn(|i| core::array::from_fn(|j| a[i][j] + b[i][j]));
+        let couplings: Vec<Couplings> =
+            assembly.elements.iter().map(|element| Couplings::skew(&element.sections, TERMS)).collect();
+        let mut along = Couplings::default();
+        for (index, own) in couplings.iter().enumerate() {
+            own.scatter(assembly.along.part(index).start, assembly.along.points(), &mut along);
+        }
         Self {
-            couplings: assembly.elements.iter().map(|element| Couplings::of(&of(&element.sections))).collect(),
+            couplings,
+            along,
             hung: assembly.elements.iter().map(|element| of(&element.lumps).into_iter().reduce(plus)).collect(),
         }
     }
 
     /// G of the functions of every element.
     pub fn matrices(&self, assembly: &Assembly) -> Vec<Square> {
-        let parts = assembly.elements.iter().zip(&assembly.functions).zip(self.couplings.iter().zip(&self.hung));
-        parts.map(|((element, functions), (couplings, hung))| element.skew(functions, couplings, *hung)).collect()
+        let matrix = |(index, element): (usize, &Rc<Element>)| {
+            let mut matrix = element.lower(&assembly.functions[index], &self.couplings[index]);
+            for j in 0..matrix.order() {
+                for i in j..matrix.order() {
+                    *matrix.at_mut(j, i) = -matrix.at(i, j);
+                }
+            }
+            if let Some(hung) = &self.hung[index] {
+                matrix.add_outer(&element.transfer, |p, q| hung[STATE_FIELDS[p]][STATE_FIELDS[q]]);
+            }
+            matrix
+        };
+        assembly.elements.iter().enumerate().map(matrix).collect()
     }
 
     /// G of modes with one another.
@@ -95,7 +114,7 @@ pub(super) struct Solved {
     pub(super) values: Vec<f64>,
     /// Two by two, real and imaginary part.
     fields: ModeFields,
-    energies: ModeEnergies,
+    energies: Vec<OwnEnergies>,
     vectors: Vec<Vector>,
     /// Energies of the residual moments, real and imaginary part, and the largest among the modes asked for.
     pub(super) gaps: [DMatrix<f64>; 2],
@@ -123,11 +142,12 @@ pub fn modes(blade: &CoupledBlade, speed: f64, count: usize, rules: &GaussRules)
         for (pair, value) in best.vectors.chunks(2).zip(&best.values) {
             for (own, other, sign) in [(&pair[0], &pair[1], 1.0), (&pair[1], &pair[0], -1.0)] {
                 let mut loads = assembly.inertia_times(own);
-                for ((load, other), square) in loads.iter_mut().zip(other).zip(&squares) {
-                    let mut turned = Vec::new();
-                    square.times(other, &mut turned);
-                    load.iter_mut().zip(turned).for_each(|(load, t)| *load = value * *load + sign * speed * t);
+                let mut turned = vec![0.0; loads.len()];
+                for (index, square) in squares.iter().enumerate() {
+                    let part = assembly.part(index);
+                    square.add_times(&other[part.clone()], &mut turned[part]);
                 }
+                loads.iter_mut().zip(turned).for_each(|(load, t)| *load = value * *load + sign * speed * t);
                 factor.solve(&assembly.elements, &mut loads);
                 more.push(loads);
             }
@@ -139,7 +159,7 @@ pub fn modes(blade: &CoupledBlade, speed: f64, count: usize, rules: &GaussRules)
         }
         best = found;
     }
-    let coarse = Assembly::new(blade, &layout.with_orders_up_to(ORDER_OF_PROOFS), rules);
+    let coarse = Assembly::new(blade, &layout.with_orders_up_to(ORDER_OF_PROOFS), rules, Some(&assembly));
     let proof = [&coarse, &assembly].into_iter().map(|on| prove(on, &best.values, count, speed)).reduce(Result::or);
     Ok(best.bounded(&assembly, speed, count, proof.unwrap_or(Err(Missing::Separation))))
 }
@@ -159,12 +179,11 @@ pub(super) fn solve(
     let Turning { values, vectors } =
         turning(&(&raw.elastic + &raw.centrifugal * s), &coupling, &raw.inertia, count + BEYOND)?;
     let fields = all.combined(&vectors);
-    let energies = energies(assembly, &fields);
+    let energies = own_energies(assembly, &fields);
     // The quotient of the modes' own fields: a + γω − mω² = 0.
-    let energy = |matrix: &DMatrix<f64>, k: usize| matrix[(2 * k, 2 * k)] + matrix[(2 * k + 1, 2 * k + 1)];
     let quotient = |k: usize| {
-        let a = energy(&energies.elastic, k) + s * energy(&energies.centrifugal, k);
-        let m = energy(&energies.inertia, k);
+        let energy = |kind: usize| energies[2 * k].sums[kind] + energies[2 * k + 1].sums[kind];
+        let (a, m) = (energy(0) + s * energy(1), energy(2));
         let turned = -2.0 * speed * fields.turned(assembly, g, 2 * k, 2 * k + 1);
         (turned + sqrt(turned * turned + 4.0 * a * m)) / (2.0 * m)
     };
@@ -175,16 +194,18 @@ pub(super) fn solve(
         .map(|(k, value)| {
             let row = |own: usize, other: usize, sign: f64| {
                 let turned = Turned { g, other, factor: sign * value * speed };
-                residual_turned(blade, assembly, &fields, own, (s, value * value), &turned)
+                let factors = Factors { elastic: 1.0, centrifugal: s, inertia: value * value };
+                residual_turned(blade, assembly, &fields, own, factors, Some(&turned))
             };
             [row(2 * k, 2 * k + 1, 1.0), row(2 * k + 1, 2 * k, -1.0)]
         })
         .collect();
-    let product = |of: fn(&[Vec<f64>; 2], &[Vec<f64>; 2]) -> f64| {
-        DMatrix::from_fn(values.len(), values.len(), |i, j| of(&rows[i], &rows[j]))
-    };
-    let gaps =
-        [product(|a, b| dot(&a[0], &b[0]) + dot(&a[1], &b[1])), product(|a, b| dot(&a[0], &b[1]) - dot(&a[1], &b[0]))];
+    let n = rows.len();
+    let product = |(i, a): (usize, usize), (j, b): (usize, usize)| dot(&rows[i][a], &rows[j][b]);
+    let gaps = [
+        DMatrix::from_fn(n, n, |i, j| product((i, 0), (j, 0)) + product((i, 1), (j, 1))),
+        DMatrix::from_fn(n, n, |i, j| product((i, 0), (j, 1)) - product((i, 1), (j, 0))),
+    ];
     // With x*Ax + ω²x*Mx = 1 the energy of the gap is about the relative error of ω.
     let worst = (0..count.min(values.len())).map(|k| gaps[0][(k, k)]).fold(0.0, maximum);
     let vectors = vectors.column_iter().map(|parts| sum(functions, parts.as_slice())).collect();
@@ -245,26 +266,15 @@ impl Solved {
             (Ok(_), None) => Err(Missing::Shift),
             (Ok(proof), Some(_)) => Ok(proof.rho * proof.rho),
         };
-        let kinetic = shares::kinetic(assembly, &self.fields);
-        let unit = |i: usize| DVector::from_fn(self.fields.count(), |j, _| if i == j { 1.0 } else { 0.0 });
         let mode = |k: usize| {
             let value = self.values[k];
-            let pair = [2 * k, 2 * k + 1];
-            let size: f64 =
-                pair.iter().map(|i| self.energies.sizes[*i]).map(|[e, c, m]| e + s * c + value * value * m).sum();
+            let [re, im] = [2 * k, 2 * k + 1];
+            let weigh = |[e, c, m]: [f64; 3]| e + s * c + value * value * m;
+            let size = weigh(self.energies[re].sizes) + weigh(self.energies[im].sizes);
             // x*Ax + ω²x*Mx, the most that the quotient is divided by, over ω.
-            let total: f64 = pair
-                .iter()
-                .map(|&i| {
-                    let own = |matrix: &DMatrix<f64>| matrix[(i, i)];
-                    let ModeEnergies { elastic, centrifugal, inertia, .. } = &self.energies;
-                    own(elastic) + s * own(centrifugal) + value * value * own(inertia)
-                })
-                .sum();
+            let total = weigh(self.energies[re].sums) + weigh(self.energies[im].sums);
             let rounding = 2.0 * ROUNDING * value * (1.0 + size / total);
-            let both =
-                shares::energies(&kinetic, &unit(2 * k)).into_iter().zip(shares::energies(&kinetic, &unit(2 * k + 1)));
-            let parts: Vec<f64> = both.map(|(a, b)| a + b).collect();
+            let [first, second] = [re, im].map(|part| shares::own(assembly, &self.fields, part));
             let square = |bound: f64| bound.max(0.0) * bound.max(0.0);
             CoupledMode {
                 eigenvalue: value * value,
@@ -273,7 +283,7 @@ impl Solved {
                     let lower = lower.get(k)?.min(value) - rounding;
                     Some((square(lower), square(value + rounding)))
                 }),
-                shares: shares::in_sum_1([parts[0], parts[1], parts[2]]),
+                shares: shares::in_sum_one(core::array::from_fn(|i| first[i] + second[i])),
             }
         };
         CoupledModes {

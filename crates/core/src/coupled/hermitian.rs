@@ -2,6 +2,7 @@
 
 use super::element::{Element, STATES, Square};
 use super::elimination::Roots;
+use alloc::rc::Rc;
 use alloc::vec::Vec;
 
 /// A Hermitian matrix: its symmetric real and its antisymmetric imaginary part.
@@ -48,13 +49,12 @@ impl Hermitian {
 }
 
 /// Number of negative directions of a form; springs are multiplied by `alpha`. `None` where a pivot is 0.
-pub fn negative(elements: &[Element], forms: Vec<Hermitian>, roots: &Roots, alpha: f64) -> Option<usize> {
+pub fn negative(elements: &[Rc<Element>], forms: Vec<Hermitian>, roots: &Roots, alpha: f64) -> Option<usize> {
     let mut negative = 0;
     let mut outboard = Hermitian { re: Square::zero(STATES), im: Square::zero(STATES) };
     for (index, (element, mut form)) in elements.iter().zip(forms).enumerate().rev() {
-        let transfer = element.transfer();
-        form.re.add_outer(&transfer, |p, q| outboard.re.at(p, q));
-        form.im.add_outer(&transfer, |p, q| outboard.im.at(p, q));
+        form.re.add_outer(&element.transfer, |p, q| outboard.re.at(p, q));
+        form.im.add_outer(&element.transfer, |p, q| outboard.im.at(p, q));
         let strains = element.strains();
         for k in 0..strains {
             negative += usize::from(form.eliminate(k)?);

@@ -1,9 +1,10 @@
 //! The lowest modes by inverse iteration along the blade: a block of three vectors and all that the inverse
 //! of K + F + sC + σM makes of it, orthonormal in M.
 
-use super::assembly::{Assembly, Vector, add, product, scale, sum};
+use super::assembly::{Assembly, Vector, sum};
 use super::elimination::Factor;
 use crate::numerics::scalar::{cos, sqrt};
+use crate::numerics::vector::{axpy, long_dot, scale};
 use alloc::vec;
 use alloc::vec::Vec;
 use nalgebra::{DMatrix, SymmetricEigen};
@@ -11,8 +12,12 @@ use nalgebra::{DMatrix, SymmetricEigen};
 /// What is left of a mode outside the vectors, as a share of it, below which the mode is settled: its
 /// eigenvalue's error is about the square of that.
 const SETTLED: f64 = 1e-9;
+/// The same of modes that are there to tell where the others end.
+const NEARLY_SETTLED: f64 = 1e-6;
 /// A vector of which so little is left beside the others is nothing new.
 const NOTHING_NEW: f64 = 1e-11;
+/// Where less than this share of a vector is left beside the others, they are taken off once more.
+const FULL: f64 = 0.7;
 /// Most vectors, per mode sought and beside.
 const MOST: (usize, usize) = (6, 40);
 /// The modes are looked at once in so many vectors.
@@ -29,14 +34,15 @@ pub struct Krylov {
     made: Vec<Vec<f64>>,
 }
 
-/// The `count` lowest modes, or as many as there are, of unit inertia, ascending, from the factor of the shifted
-/// form; `seed` makes the loads at the start others.
-pub fn lowest(assembly: &Assembly, factor: &Factor, count: usize, seed: usize) -> Option<Vec<Vector>> {
+/// The `count` lowest modes and `beyond` more that are not as exact, or as many as there are, of unit inertia,
+/// ascending, from the factor of the shifted form.
+pub fn lowest(assembly: &Assembly, factor: &Factor, count: usize, beyond: usize) -> Option<Vec<Vector>> {
+    let (wanted, count) = (count, count + beyond);
     let mut krylov = Krylov::default();
     let mut waiting: usize = 0;
     let most = (MOST.0 * count + MOST.1).min(assembly.unknowns());
     for state in [0, 2, 4] {
-        let mut start = start(assembly, state, seed);
+        let mut start = start(assembly, state);
         factor.solve(&assembly.elements, &mut start);
         krylov.push(assembly, start);
     }
@@ -50,7 +56,7 @@ pub fn lowest(assembly: &Assembly, factor: &Factor, count: usize, seed: usize) -
         krylov.iterate(assembly, next, krylov.vectors.len() < most);
         let enough = waiting >= 2 * count;
         if (enough && (waiting - 2 * count).is_multiple_of(EVERY)) || waiting == krylov.vectors.len() {
-            let (parts, settled) = krylov.ritz(count)?;
+            let (parts, settled) = krylov.ritz(wanted, count)?;
             if settled >= count || waiting == krylov.vectors.len() {
                 return Some(parts.column_iter().map(|column| sum(&krylov.vectors, column.as_slice())).collect());
             }
@@ -60,17 +66,12 @@ pub fn lowest(assembly: &Assembly, factor: &Factor, count: usize, seed: usize) -
 }
 
 /// Loads on one displacement everywhere, uneven so that no mode is at right angles to them.
-fn start(assembly: &Assembly, state: usize, seed: usize) -> Vector {
-    let shape: Vector = assembly
-        .elements
-        .iter()
-        .enumerate()
-        .map(|(index, element)| {
-            let mut own = vec![0.0; element.count()];
-            own[element.strains() + state] = 1.0 + 0.4 * cos((2.399 + seed as f64) * (index as f64 + 1.0));
-            own
-        })
-        .collect();
+fn start(assembly: &Assembly, state: usize) -> Vector {
+    let mut shape = vec![0.0; assembly.functions()];
+    for (index, element) in assembly.elements.iter().enumerate() {
+        let place = assembly.part(index).start + element.strains() + state;
+        shape[place] = 1.0 + 0.4 * cos(2.399 * (index as f64 + 1.0));
+    }
     assembly.inertia_times(&shape)
 }
 
@@ -78,11 +79,16 @@ impl Krylov {
     /// Adds a vector, of which the parts along the others were taken off; those parts and its length.
     fn push(&mut self, assembly: &Assembly, mut vector: Vector) -> Vec<f64> {
         let mut parts = self.take_off(&mut vector);
-        let again = self.take_off(&mut vector);
-        parts.iter_mut().zip(again).for_each(|(part, more)| *part += more);
         let mut loads = assembly.inertia_times(&vector);
-        let length = sqrt(product(&vector, &loads).max(0.0));
+        let mut length = sqrt(long_dot(&vector, &loads).max(0.0));
         let before = sqrt(parts.iter().map(|part| part * part).sum());
+        // What is left has the rounding of what was taken off.
+        if length < FULL * before {
+            let again = self.take_off(&mut vector);
+            parts.iter_mut().zip(again).for_each(|(part, more)| *part += more);
+            loads = assembly.inertia_times(&vector);
+            length = sqrt(long_dot(&vector, &loads).max(0.0));
+        }
         if length > NOTHING_NEW * before && length > 0.0 {
             scale(&mut vector, 1.0 / length);
             scale(&mut loads, 1.0 / length);
@@ -94,9 +100,9 @@ impl Krylov {
     }
 
     fn take_off(&self, vector: &mut Vector) -> Vec<f64> {
-        let parts: Vec<f64> = self.loads.iter().map(|loads| product(vector, loads)).collect();
+        let parts: Vec<f64> = self.loads.iter().map(|loads| long_dot(vector, loads)).collect();
         for (part, known) in parts.iter().zip(&self.vectors) {
-            add(vector, -part, known);
+            axpy(vector, -part, known);
         }
         parts
     }
@@ -105,14 +111,14 @@ impl Krylov {
         let parts = if grows {
             self.push(assembly, next)
         } else {
-            self.loads.iter().map(|loads| product(&next, loads)).collect()
+            self.loads.iter().map(|loads| long_dot(&next, loads)).collect()
         };
         self.made.push(parts);
     }
 
     /// The vectors of the largest 1/(λ + σ) among the iterated ones, descending, and how many of them settled,
     /// from the first.
-    fn ritz(&self, count: usize) -> Option<(DMatrix<f64>, usize)> {
+    fn ritz(&self, wanted: usize, count: usize) -> Option<(DMatrix<f64>, usize)> {
         let n = self.made.len();
         let part = |i: usize, j: usize| self.made[j].get(i).copied().unwrap_or(0.0);
         let projected = DMatrix::from_fn(n, n, |i, j| 0.5 * (part(i, j) + part(j, i)));
@@ -123,7 +129,7 @@ impl Krylov {
         let mut order: Vec<usize> = (0..n).filter(|i| eigen.eigenvalues[*i] > 0.0).collect();
         order.sort_by(|a, b| eigen.eigenvalues[*b].total_cmp(&eigen.eigenvalues[*a]));
         order.truncate(count);
-        let is_settled = |&&index: &&usize| {
+        let is_settled = |&(place, &index): &(usize, &usize)| {
             let vector = eigen.eigenvectors.column(index);
             let left: f64 = (n..self.vectors.len())
                 .map(|i| {
@@ -131,9 +137,10 @@ impl Krylov {
                     outside * outside
                 })
                 .sum();
-            sqrt(left) <= SETTLED * eigen.eigenvalues[index]
+            let share = if place < wanted { SETTLED } else { NEARLY_SETTLED };
+            sqrt(left) <= share * eigen.eigenvalues[index]
         };
-        let settled = order.iter().take_while(is_settled).count();
+        let settled = order.iter().enumerate().take_while(is_settled).count();
         Some((eigen.eigenvectors.select_columns(&order), settled))
     }
 }

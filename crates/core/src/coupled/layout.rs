@@ -16,6 +16,8 @@ const MOST_ELEMENTS: usize = 2000;
 const ORDERS: (usize, usize) = (4, MOST_ORDER);
 /// Most polynomials of a strain.
 pub const MOST_ORDER: usize = 18;
+/// Polynomials beyond those that follow the taper alone.
+const MORE_TAPER: usize = 2;
 /// By how many an order is raised.
 const RAISE: usize = 3;
 /// Eigenvalues tried for the highest mode, a factor of ten to each side of f64's useful range.
@@ -101,8 +103,10 @@ pub fn first_layout(blade: &CoupledBlade, s: f64, count: usize) -> Layout {
         for (x, phase) in found {
             layout.radii.push(piece.from + x);
             let share = if fast > 0.0 { (torsion.1 / fast).min(1.0) } else { 1.0 };
+            // The modes follow the taper of the stiffness beside their waves, to the square root of the tolerance.
+            let tapered = order(0.0, piece.taper) + MORE_TAPER;
             let [bent, twisted] =
-                [phase, phase * share].map(|phase| order(phase, piece.taper).clamp(ORDERS.0, ORDERS.1));
+                [phase, phase * share].map(|phase| order(phase, piece.taper).max(tapered).clamp(ORDERS.0, ORDERS.1));
             layout.orders.push([bent, bent, twisted]);
         }
     }

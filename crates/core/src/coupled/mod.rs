@@ -4,6 +4,7 @@
 //! time proportional to its elements; eigenvalues are those of the modes' own fields, and bounds follow from the
 //! modes' equilibrium and a proof of their number.
 
+mod along;
 mod assembly;
 mod blade;
 mod bounds;
@@ -18,6 +19,7 @@ mod hermitian;
 mod krylov;
 mod layout;
 mod range;
+mod reduced;
 mod sample;
 mod shares;
 mod terms;
@@ -36,9 +38,9 @@ use alloc::vec;
 use alloc::vec::Vec;
 use assembly::{Assembly, Vector, sum};
 use bounds::{Proof, lower_bounds, prove, rounding};
-use equilibrium::{ModeEnergies, ModeFields, energies, residuals};
+use equilibrium::{ModeFields, OwnEnergies, energies, own_energies, residuals};
 use layout::{Layout, MOST_ORDER, first_layout, raise};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 /// Modes beyond those asked for, among which a separation is sought.
 const BEYOND: usize = 6;
@@ -112,7 +114,8 @@ fn converged(
     let mut layout = first_layout(blade, s, count + BEYOND);
     let mut best: Option<(Layout, Assembly, Solved)> = None;
     for _ in 0..MOST_ROUNDS {
-        let (assembly, solved) = solve(blade, &layout, s, count + BEYOND, rules)?;
+        let known = best.as_ref().map(|(_, assembly, _)| assembly);
+        let (assembly, solved) = solve(blade, &layout, s, (count, BEYOND), rules, known)?;
         let (worst, shares) = (solved.worst, solved.shares.clone());
         if best.as_ref().is_none_or(|(.., best)| worst < best.worst) {
             best = Some((layout.clone(), assembly, solved));
@@ -139,7 +142,7 @@ pub fn steps(
     let mut steps = Vec::new();
     for order in 1..=MOST_ORDER {
         let layout = Layout { orders: vec![[order; 3]; first.orders.len()], ..first.clone() };
-        let (assembly, solved) = solve(blade, &layout, s, count + BEYOND, rules)?;
+        let (assembly, solved) = solve(blade, &layout, s, (count, BEYOND), rules, None)?;
         let values = solved.values[..count.min(solved.values.len())].to_vec();
         steps.push((assembly.unknowns_by_motion().iter().sum(), values));
         if solved.worst <= TOLERANCE {
@@ -164,8 +167,9 @@ pub fn shapes(
     let stretches = blade.stretches(&layout.radii);
     let modes = &solved.modes[..count.min(solved.modes.len())];
     let fields = ModeFields::new(&assembly, modes);
-    let at =
-        |mode: usize, element: usize, r: f64| sample::fields_at(&assembly.elements[element], &modes[mode][element], r);
+    let at = |mode: usize, element: usize, r: f64| {
+        sample::fields_at(&assembly.elements[element], &modes[mode][assembly.part(element)], r)
+    };
     let samples = sample::sample(&assembly, &stretches, (&fields, &at), &solved.values, s, radii);
     Ok((solved.bounded(blade, &assembly, s, count, &layout, rules), samples))
 }
@@ -176,7 +180,7 @@ struct Solved {
     modes: Vec<Vector>,
     values: Vec<f64>,
     fields: ModeFields,
-    energies: ModeEnergies,
+    energies: Vec<OwnEnergies>,
     /// Energies of the residual moments.
     gaps: DMatrix<f64>,
     /// The largest share of each element in the relative errors.
@@ -199,18 +203,19 @@ impl Solved {
         // Ritz vectors of the shifted problem, and then the quotients of their own fields, which know no shift.
         let shifted = &raw.elastic + &raw.centrifugal * s + &raw.inertia * sigma;
         let ritz = lowest(&shifted, &raw.inertia, found.len())?;
-        let fields = fields.combined(&ritz.vectors);
-        let energies = energies(assembly, &fields);
-        let quotient =
-            |i: usize| (energies.elastic[(i, i)] + s * energies.centrifugal[(i, i)]) / energies.inertia[(i, i)];
-        let values: Vec<f64> = (0..ritz.values.len()).map(quotient).collect();
+        let modes: Vec<Vector> = ritz.vectors.column_iter().map(|parts| sum(found, parts.as_slice())).collect();
+        let fields = ModeFields::new(assembly, &modes);
+        let energies = own_energies(assembly, &fields);
+        let quotient = |OwnEnergies { sums: [elastic, centrifugal, inertia], .. }: &OwnEnergies| {
+            (elastic + s * centrifugal) / inertia
+        };
+        let values: Vec<f64> = energies.iter().map(quotient).collect();
         let residuals = residuals(blade, assembly, &fields, &values, s);
         let gaps = residuals.energies();
         let floor = FLOOR * values.last().map_or(0.0, |v| v.abs());
         let relative: Vec<f64> = values.iter().map(|value| 1.0 / value.abs().max(floor)).collect();
-        let shares = residuals.shares(&relative);
+        let shares = residuals.shares(assembly, &relative);
         let worst = (0..relative.len().saturating_sub(beyond)).map(|i| gaps[(i, i)] * relative[i]).fold(0.0, maximum);
-        let modes = ritz.vectors.column_iter().map(|parts| sum(found, parts.as_slice())).collect();
         Ok(Self { modes, values, fields, energies, gaps, shares, worst })
     }
 
@@ -225,7 +230,8 @@ impl Solved {
     ) -> CoupledModes {
         let count = count.min(self.values.len());
         // What is proven holds for the blade whatever the functions; few of them are often enough.
-        let coarse = Assembly::new(blade, &layout.with_orders_up_to(ORDER_OF_PROOFS), rules);
+        let coarse = layout.with_orders_up_to(ORDER_OF_PROOFS);
+        let coarse = Assembly::new(blade, &coarse, rules, Some(assembly));
         let proof = prove(&coarse, &self.values, count, s).or_else(|_| prove(assembly, &self.values, count, s));
         let lower = proof.ok().and_then(|proof| {
             let below = proof.below;
@@ -242,13 +248,11 @@ impl Solved {
             let lower = lower.as_ref()?.get(i)?;
             Some((lower.min(self.values[i]) - rounding[i], self.values[i] + rounding[i]))
         };
-        let kinetic = shares::kinetic(assembly, &self.fields);
-        let unit = |i: usize| DVector::from_fn(self.values.len(), |j, _| if i == j { 1.0 } else { 0.0 });
         let mode = |i: usize| CoupledMode {
             eigenvalue: self.values[i],
             error: self.gaps[(i, i)],
             bounds: bounds(i),
-            shares: shares::shares(&kinetic, &unit(i)),
+            shares: shares::own_shares(assembly, &self.fields, i),
         };
         let all = |proof: Proof| -> Option<Vec<f64>> {
             (0..proof.below).map(|i| bounds(i).map(|(lower, _)| lower)).collect()
@@ -267,20 +271,26 @@ fn solve(
     blade: &CoupledBlade,
     layout: &Layout,
     s: f64,
-    count: usize,
+    (count, beyond): (usize, usize),
     rules: &GaussRules,
+    known: Option<&Assembly>,
 ) -> Result<(Assembly, Solved), EigenError> {
-    let assembly = Assembly::new(blade, layout, rules);
-    let (found, sigma) = iterate(&assembly, s, count, SHIFT.0 * layout.highest)?;
-    let solved = Solved::new(blade, &assembly, &found, (s, sigma), BEYOND)?;
+    let assembly = Assembly::new(blade, layout, rules, known);
+    let (found, sigma) = iterate(&assembly, s, (count, beyond), SHIFT.0 * layout.highest)?;
+    let solved = Solved::new(blade, &assembly, &found, (s, sigma), beyond)?;
     Ok((assembly, solved))
 }
 
 /// Modes by inverse iteration, and the shift, at least this, that leaves the form definite.
-fn iterate(assembly: &Assembly, s: f64, count: usize, mut sigma: f64) -> Result<(Vec<Vector>, f64), EigenError> {
+fn iterate(
+    assembly: &Assembly,
+    s: f64,
+    (count, beyond): (usize, usize),
+    mut sigma: f64,
+) -> Result<(Vec<Vector>, f64), EigenError> {
     for _ in 0..MOST_SHIFTS {
         if let Some(factor) = assembly.factor(s, sigma) {
-            let found = krylov::lowest(assembly, &factor, count, 0).ok_or(EigenError::NotConverged)?;
+            let found = krylov::lowest(assembly, &factor, count, beyond).ok_or(EigenError::NotConverged)?;
             return Ok((found, sigma));
         }
         sigma *= SHIFT.1;

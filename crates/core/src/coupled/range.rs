@@ -1,18 +1,20 @@
 //! Functions for a whole range of rotor speeds: the span of the modes at some of them. Every matrix and every
 //! residual of these functions is affine in Ω², so each speed is a small dense problem.
 
-use super::assembly::{Assembly, Vector, add, product, scale};
+use super::assembly::{Assembly, Vector};
 use super::blade::CoupledBlade;
 use super::bounds::{Missing, Proof, ROUNDING, lower_bounds, prove_separation, prove_shift};
-use super::equilibrium::{Factors, ModeFields, energies, residual};
+use super::equilibrium::{Factors, ModeEnergies, ModeFields, energies, residual};
 use super::layout::{first_layout, raise};
-use super::{FLOOR, MOST_ROUNDS, ORDER_OF_PROOFS, SHARE, SHIFT, Solved, TOLERANCE, iterate, shares};
-use crate::numerics::eigen::{EigenError, lowest, symmetric_values};
+use super::reduced::Reduced;
+use super::{MOST_ROUNDS, ORDER_OF_PROOFS, SHARE, SHIFT, Solved, TOLERANCE, iterate, shares};
+use crate::numerics::eigen::EigenError;
 use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::{maximum, sqrt};
+use crate::numerics::vector::{axpy, long_dot, scale};
 use alloc::vec;
 use alloc::vec::Vec;
-use nalgebra::{Cholesky, DMatrix, DVector};
+use nalgebra::DMatrix;
 
 /// Where the modes are found first, as shares of the highest Ω², and where they are added, one after the other,
 /// until the check between them holds.
@@ -36,8 +38,6 @@ pub struct RangeMode {
     pub eigenvalue: f64,
     /// dλ/dΩ².
     pub slope: f64,
-    /// Estimate of the error of λ [rad²/s²].
-    pub error: f64,
     /// Shares of flap, lag and torsion.
     pub shares: [f64; 3],
 }
@@ -79,7 +79,7 @@ impl Anchors {
         let mut all = Self { modes: Vec::new(), sigma, worst: 0.0, shares: vec![0.0; assembly.elements.len()] };
         for share in ANCHORS {
             // C enters in proportion: what is definite at both ends is definite between them.
-            let (found, sigma) = iterate(assembly, share * highest, count, all.sigma)?;
+            let (found, sigma) = iterate(assembly, share * highest, (count, BEYOND), all.sigma)?;
             let solved = Solved::new(blade, assembly, &found, (share * highest, sigma), BEYOND)?;
             all.sigma = sigma;
             all.worst = maximum(all.worst, solved.worst);
@@ -94,22 +94,12 @@ impl Anchors {
 #[derive(Clone, Debug)]
 pub struct Range {
     count: usize,
-    sigma: f64,
-    elastic: DMatrix<f64>,
-    centrifugal: DMatrix<f64>,
-    inertia: DMatrix<f64>,
-    /// K + F and C in coordinates in which M is the identity.
-    plain: Option<[DMatrix<f64>; 2]>,
-    kinetic: [DMatrix<f64>; 3],
-    /// Residual moments of every function, of its inertia, its centrifugal loads and its strains, turned so that
-    /// no more rows are left than columns: lengths stay what they are.
-    residuals: DMatrix<f64>,
+    reduced: Reduced,
     /// For proofs.
     coarse: Assembly,
     fine: Assembly,
     highest: f64,
     shift: Option<(f64, f64)>,
-    functions: [usize; 3],
     error: f64,
 }
 
@@ -122,67 +112,32 @@ impl Range {
         let sought = count + BEYOND;
         let mut layout = first_layout(blade, highest, sought);
         let mut rounds = 1;
+        let mut known: Option<Assembly> = None;
         let (fine, mut modes, sigma) = loop {
-            let fine = Assembly::new(blade, &layout, rules);
-            let found = Anchors::new(blade, &fine, layout.highest, highest, sought)?;
+            let fine = Assembly::new(blade, &layout, rules, known.as_ref());
+            let found = Anchors::new(blade, &fine, layout.highest, highest, count)?;
             let good = found.worst <= TOLERANCE || rounds == MOST_ROUNDS;
             if good || !raise(&mut layout, &found.shares, TOLERANCE * SHARE) {
                 break (fine, found.modes, found.sigma);
             }
             rounds += 1;
+            known = Some(fine);
         };
-        let coarse = Assembly::new(blade, &layout.with_orders_up_to(ORDER_OF_PROOFS), rules);
         let mut more = MORE_ANCHORS.iter();
-        loop {
-            let range = Self::of(blade, &fine, &coarse, highest, count, sigma, &modes)?;
+        let (reduced, error) = loop {
+            let reduced = reduced(blade, &fine, highest, sigma, &modes);
+            let error =
+                CHECKS.iter().try_fold(0.0, |most, share| Ok(maximum(most, reduced.error(share * highest, count)?)))?;
             match more.next() {
-                Some(share) if range.error > ACCEPTED => {
-                    modes.extend(iterate(&fine, share * highest, sought, sigma)?.0);
+                Some(share) if error > ACCEPTED => {
+                    modes.extend(iterate(&fine, share * highest, (count, BEYOND), sigma)?.0);
                 }
-                _ => return range.with_shift(),
+                _ => break (reduced, error),
             }
-        }
-    }
-
-    fn of(
-        blade: &CoupledBlade,
-        fine: &Assembly,
-        coarse: &Assembly,
-        highest: f64,
-        count: usize,
-        sigma: f64,
-        modes: &[Vector],
-    ) -> Result<Self, EigenError> {
-        let functions = orthonormal(fine, 0.5 * highest, sigma, modes);
-        let fields = ModeFields::new(fine, &functions);
-        let energies = energies(fine, &fields);
-        let plain = Cholesky::new(energies.inertia.clone()).map(|factor| {
-            let l = factor.unpack();
-            [&energies.elastic, &energies.centrifugal].map(|matrix| congruent(&l, matrix))
-        });
-        let mut range = Self {
-            count,
-            plain,
-            sigma,
-            kinetic: shares::kinetic(fine, &fields),
-            residuals: residual_moments(blade, fine, &fields),
-            elastic: energies.elastic,
-            centrifugal: energies.centrifugal,
-            inertia: energies.inertia,
-            coarse: coarse.clone(),
-            fine: fine.clone(),
-            highest,
-            shift: None,
-            functions: fine.unknowns_by_motion(),
-            error: 0.0,
         };
-        for share in CHECKS {
-            let found = range.modes(share * highest, count)?;
-            let floor = FLOOR * found.last().map_or(0.0, |mode| mode.eigenvalue.abs());
-            let own = found.iter().map(|mode| mode.error / mode.eigenvalue.abs().max(floor)).fold(0.0, maximum);
-            range.error = maximum(range.error, own);
-        }
-        Ok(range)
+        let coarse = layout.with_orders_up_to(ORDER_OF_PROOFS);
+        let coarse = Assembly::new(blade, &coarse, rules, Some(&fine));
+        Self { count, reduced, coarse, fine, highest, shift: None, error }.with_shift()
     }
 
     /// With the shift of all its bounds, which is about in proportion to the highest eigenvalue.
@@ -194,7 +149,7 @@ impl Range {
 
     /// Number of functions of flap, lag and torsion behind the modes.
     pub fn functions(&self) -> [usize; 3] {
-        self.functions
+        self.fine.unknowns_by_motion()
     }
 
     /// The largest relative error of an eigenvalue where they were checked.
@@ -207,32 +162,13 @@ impl Range {
         self.error <= maximum(ACCEPTED, TOLERANCE)
     }
 
-    fn stiffness(&self, s: f64) -> DMatrix<f64> {
-        &self.elastic + &self.centrifugal * s
-    }
-
     /// The eigenvalues at Ω² = s alone, those asked for and some more, ascending: quick, and good to rounding of
     /// the highest one among the functions.
     ///
     /// # Errors
     /// [`EigenError`].
     pub fn eigenvalues(&self, s: f64) -> Result<Vec<f64>, EigenError> {
-        let count = (self.count + BEYOND).min(self.inertia.nrows());
-        let plain = self.plain.as_ref().and_then(|[elastic, centrifugal]| symmetric_values(elastic + centrifugal * s));
-        let Some(mut values) = plain else { return Ok(self.solve(s, count)?.0) };
-        values.sort_by(f64::total_cmp);
-        values.truncate(count);
-        Ok(values)
-    }
-
-    /// λ and x of the lowest modes, of unit inertia.
-    fn solve(&self, s: f64, count: usize) -> Result<(Vec<f64>, DMatrix<f64>), EigenError> {
-        let g = self.stiffness(s);
-        let count = count.min(self.inertia.nrows());
-        let found = lowest(&(&g + &self.inertia * self.sigma), &self.inertia, count)?;
-        let quotient = |x: DVector<f64>| x.dot(&(&g * &x)) / x.dot(&(&self.inertia * &x));
-        let values = found.vectors.column_iter().map(|x| quotient(x.into_owned())).collect();
-        Ok((values, found.vectors))
+        self.reduced.eigenvalues(s, self.count + BEYOND)
     }
 
     /// The lowest modes at Ω² = s.
@@ -240,33 +176,7 @@ impl Range {
     /// # Errors
     /// [`EigenError`].
     pub fn modes(&self, s: f64, count: usize) -> Result<Vec<RangeMode>, EigenError> {
-        let (values, vectors) = self.solve(s, count)?;
-        let gaps = self.gaps(s, &values, &vectors);
-        let mode = |(index, eigenvalue): (usize, &f64)| {
-            let x = vectors.column(index).into_owned();
-            RangeMode {
-                eigenvalue: *eigenvalue,
-                slope: x.dot(&(&self.centrifugal * &x)),
-                error: gaps[(index, index)],
-                shares: shares::shares(&self.kinetic, &x),
-            }
-        };
-        Ok(values.iter().enumerate().map(mode).collect())
-    }
-
-    /// The energies of the residual moments of modes.
-    fn gaps(&self, s: f64, values: &[f64], vectors: &DMatrix<f64>) -> DMatrix<f64> {
-        let m = vectors.nrows();
-        let parts = DMatrix::from_fn(3 * m, values.len(), |i, j| {
-            let x = vectors[(i % m, j)];
-            match i / m {
-                0 => values[j] * x,
-                1 => s * x,
-                _ => x,
-            }
-        });
-        let rows = &self.residuals * parts;
-        rows.transpose() * rows
+        self.reduced.modes(s, count)
     }
 
     /// λ at ascending Ω², of the modes asked for and some more, and proven bounds of those asked for.
@@ -276,7 +186,7 @@ impl Range {
     pub fn bounded(&self, squares: &[f64]) -> Result<Vec<Bounded>, EigenError> {
         let mut last: Option<Separation> = None;
         let at = |s: &f64| {
-            let (eigenvalues, vectors) = self.solve(*s, self.count + BEYOND)?;
+            let (eigenvalues, vectors) = self.reduced.solve(*s, self.count + BEYOND)?;
             let bounds = self.bounds(*s, &eigenvalues, &vectors, &mut last);
             Ok(Bounded { eigenvalues, bounds })
         };
@@ -311,7 +221,7 @@ impl Range {
         *last = Some(known);
         let proof = Proof { below: known.below, rho: carried(&known), theta, sigma };
         let n = known.below;
-        let gaps = self.gaps(s, &values[..n], &vectors.columns(0, n).into_owned());
+        let gaps = self.reduced.gaps(s, &values[..n], &vectors.columns(0, n).into_owned());
         let lower = lower_bounds(&values[..n], &gaps, &proof).ok_or(Missing::Shift)?;
         let rounding = |i: usize| {
             // The functions have unit energy in the middle of the range: a mode has about as much there.
@@ -323,11 +233,13 @@ impl Range {
     }
 }
 
-/// L⁻¹ A L⁻ᵀ.
-fn congruent(l: &DMatrix<f64>, a: &DMatrix<f64>) -> DMatrix<f64> {
-    let half = l.solve_lower_triangular(a).unwrap_or_else(|| a.clone());
-    let whole = l.solve_lower_triangular(&half.transpose()).unwrap_or(half);
-    0.5 * (&whole + whole.transpose())
+/// The span of modes as a few functions.
+fn reduced(blade: &CoupledBlade, fine: &Assembly, highest: f64, sigma: f64, modes: &[Vector]) -> Reduced {
+    let functions = orthonormal(fine, 0.5 * highest, sigma, modes);
+    let fields = ModeFields::new(fine, &functions);
+    let ModeEnergies { elastic, centrifugal, inertia } = energies(fine, &fields);
+    let residuals = residual_moments(blade, fine, &fields);
+    Reduced::new(sigma, [elastic, centrifugal, inertia], shares::kinetic(fine, &fields), residuals)
 }
 
 /// The span of modes as functions that are orthonormal in the energy in the middle of the range.
@@ -338,15 +250,15 @@ pub fn orthonormal(assembly: &Assembly, s: f64, sigma: f64, modes: &[Vector]) ->
     for mode in modes {
         let mut function = mode.clone();
         let own = assembly.form_times(&forms, 1.0, &function);
-        let before = sqrt(product(&function, &own).max(0.0));
+        let before = sqrt(long_dot(&function, &own).max(0.0));
         for _ in 0..2 {
             for (known, loads) in out.iter().zip(&loads) {
-                let along = product(&function, loads);
-                add(&mut function, -along, known);
+                let along = long_dot(&function, loads);
+                axpy(&mut function, -along, known);
             }
         }
         let mut own = assembly.form_times(&forms, 1.0, &function);
-        let length = sqrt(product(&function, &own).max(0.0));
+        let length = sqrt(long_dot(&function, &own).max(0.0));
         if length > NOTHING_NEW * before {
             scale(&mut function, 1.0 / length);
             scale(&mut own, 1.0 / length);
@@ -367,11 +279,8 @@ fn residual_moments(blade: &CoupledBlade, assembly: &Assembly, fields: &ModeFiel
     ];
     let columns: Vec<Vec<f64>> = parts
         .into_iter()
-        .flat_map(|factors| {
-            (0..fields.count()).map(move |mode| residual(blade, assembly, fields, mode, factors).concat())
-        })
+        .flat_map(|factors| (0..fields.count()).map(move |mode| residual(blade, assembly, fields, mode, factors)))
         .collect();
     let rows = columns.first().map_or(0, Vec::len);
-    let all = DMatrix::from_fn(rows, columns.len(), |i, j| columns[j][i]);
-    if all.nrows() > all.ncols() { all.qr().unpack_r() } else { all }
+    DMatrix::from_vec(rows, columns.len(), columns.concat())
 }

@@ -3,7 +3,7 @@
 use super::assembly::Assembly;
 use super::blade::CoupledStretch;
 use super::element::{Element, PointFields, STATES};
-use super::equilibrium::{Handed, ModeFields, hand_on};
+use super::equilibrium::{Handed, ModeFields, end_at_roots, hand_on, moments};
 use super::terms::{FIELDS, SectionWeights};
 use crate::lagrange::Energy;
 use crate::numerics::legendre::{Legendre, evaluate};
@@ -36,6 +36,10 @@ pub fn sample(
     let sampled = |(mode, value): (usize, &f64)| {
         let mut samples = vec![Sample::default(); radii.len()];
         let mut handed: Handed = [0.0; STATES];
+        let mut loads = PointFields::default();
+        assembly.along.couplings(Energy::Centrifugal).load(-s, &fields.at[mode], &mut loads);
+        assembly.along.couplings(Energy::Inertia).load(*value, &fields.at[mode], &mut loads);
+        let mut inside: [Vec<f64>; 3] = core::array::from_fn(|_| vec![0.0; assembly.along.points()]);
         for (index, element) in assembly.elements.iter().enumerate().rev() {
             if let Some(hung) = &element.hung {
                 hand_on(&hung.combined(0.0, -s, *value), &fields.outer_state(mode, index), &mut handed);
@@ -49,20 +53,12 @@ pub fn sample(
                     *sample = within(element, &stretches[index], &here, (*value, s), *r, &handed);
                 }
             }
-            pass(element, &fields.at[mode][index], (*value, s), &mut handed);
-            super::equilibrium::end_at_roots(assembly, index, &mut handed);
+            moments(element, &loads, assembly.along.part(index).start, &mut handed, &mut inside);
+            end_at_roots(assembly, index, &mut handed);
         }
         samples
     };
     values.iter().take(fields.count()).enumerate().map(sampled).collect()
-}
-
-/// What an element hands inboard.
-fn pass(element: &Element, fields: &PointFields, (value, s): (f64, f64), handed: &mut Handed) {
-    let mut loads: PointFields = core::array::from_fn(|_| vec![0.0; element.points()]);
-    element.couplings(Energy::Centrifugal).load(-s, fields, &mut loads);
-    element.couplings(Energy::Inertia).load(value, fields, &mut loads);
-    super::equilibrium::moments(element, &loads, handed);
 }
 
 /// Fields at a radius of an element, and the forces there: those handed from outboard and those of the loads

@@ -6,9 +6,7 @@ use super::blade::{Lump, Trapeze};
 use super::bounds::Proof;
 use super::*;
 use crate::blade::{Root, RootCondition};
-use crate::functions::{BendingRoot, ClassicalBending, ClassicalTorsion, TorsionRoot};
 use crate::numerics::PiecewiseLinear;
-use alloc::boxed::Box;
 use alloc::vec;
 
 mod classical;
@@ -150,7 +148,7 @@ fn golden_values() {
 /// its ten digits.
 fn assert_bounds(blade: &CoupledBlade, radii: &[f64], proof: Proof, upper: &[f64], energies: &[f64], lower: &[f64]) {
     let layout = Layout { radii: radii.to_vec(), orders: vec![[4; 3]; radii.len() - 1], highest: 5e3 };
-    let (_, solved) = solve(blade, &layout, 144.0, 7, &GaussRules::new()).unwrap();
+    let (_, solved) = solve(blade, &layout, 144.0, (7, 0), &GaussRules::new(), None).unwrap();
     for (found, known) in solved.values.iter().zip(upper) {
         assert!((found.sqrt() / known - 1.0).abs() < 2e-9, "{} {known}", found.sqrt());
     }
@@ -199,7 +197,7 @@ fn the_number_of_eigenvalues_below_is_proven() {
     let rules = GaussRules::new();
     let of = |blade: &CoupledBlade| {
         let layout = Layout { radii: vec![0.25, 0.6875, 1.125, 1.5625, 2.0], orders: vec![[5; 3]; 4], highest: 5e3 };
-        Assembly::new(blade, &layout, &rules)
+        Assembly::new(blade, &layout, &rules, None)
     };
     let below = |assembly: &Assembly, omega: f64| {
         index(assembly, Form { alpha: 1.0, s: 144.0, kappa: -omega * omega, turning: 0.0 })
@@ -219,7 +217,7 @@ fn the_number_of_eigenvalues_below_is_proven() {
     assert_eq!([(0.1, 0.0), (0.1, 50.0)].map(|(theta, sigma)| held(&hinged, theta, sigma)), [Some(1), Some(0)]);
     // "At most 3" on two elements of four polynomials, as those of the bounds.
     let layout = Layout { radii: vec![0.25, 1.125, 2.0], orders: vec![[4; 3]; 2], highest: 5e3 };
-    let coarse = Assembly::new(&golden(), &layout, &rules);
+    let coarse = Assembly::new(&golden(), &layout, &rules, None);
     assert_eq!(index(&coarse, Form { alpha: 1.0, s: 144.0, kappa: -5000.0, turning: 0.0 }), Some(6));
 }
 
@@ -239,7 +237,7 @@ fn untaken_energies_of_a_uniform_element() {
         ..golden()
     };
     let layout = Layout { radii: vec![0.25, 2.0], orders: vec![[2, 2, 1]], highest: 5e3 };
-    let assembly = Assembly::new(&blade, &layout, &GaussRules::new());
+    let assembly = Assembly::new(&blade, &layout, &GaussRules::new(), None);
     let form = certificate::Form { alpha: 0.7, s: 0.0, kappa: -9.0, turning: 0.0 };
     let energy = certificate::untaken(&assembly.elements[0], &assembly.functions[0], form).unwrap();
     let (w, phi, h) = (5, 9, 1.75_f64);

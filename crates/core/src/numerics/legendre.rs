@@ -89,7 +89,7 @@ impl Tables {
 #[derive(Clone, Debug)]
 pub struct Outboard {
     points: usize,
-    /// Row by row: the weights of the values for the integral from one point to 1.
+    /// Column by column: the weights of one value in the integrals from every point to 1.
     matrix: Vec<f64>,
 }
 
@@ -99,13 +99,13 @@ impl Outboard {
         let points = rule.len();
         let tables = Tables::new(points, rule);
         let mut matrix = vec![0.0; points * points];
-        for (k, row) in matrix.chunks_exact_mut(points).enumerate() {
+        for k in 0..points {
             for j in 0..points {
                 // The coefficient of P_j is (2j + 1)/2 Σ w P_j f, its integral from ξ to 1 is I_j(1) − I_j(ξ).
                 let tail = if j == 0 { 2.0 } else { 0.0 } - tables.first(j)[k];
                 let factor = 0.5 * (2.0 * j as f64 + 1.0) * tail;
-                for ((entry, (_, weight)), value) in row.iter_mut().zip(rule).zip(tables.value(j)) {
-                    *entry += factor * weight * value;
+                for (column, ((_, weight), value)) in rule.iter().zip(tables.value(j)).enumerate() {
+                    matrix[column * points + k] += factor * weight * value;
                 }
             }
         }
@@ -114,9 +114,13 @@ impl Outboard {
 
     /// Replaces each value of `out` by `at_end` + `scale` × the integral of `values` from there to 1.
     pub fn integrate(&self, values: &[f64], at_end: f64, scale: f64, out: &mut [f64]) {
-        for (entry, row) in out.iter_mut().zip(self.matrix.chunks_exact(self.points)) {
-            let sum: f64 = row.iter().zip(values).map(|(weight, value)| weight * value).sum();
-            *entry = at_end + scale * sum;
+        // Each sum in the order of the values; column by column they go side by side.
+        out.fill(-0.0);
+        for (column, value) in self.matrix.chunks_exact(self.points).zip(values) {
+            out.iter_mut().zip(column).for_each(|(sum, weight)| *sum += weight * value);
+        }
+        for sum in out.iter_mut() {
+            *sum = at_end + scale * *sum;
         }
     }
 }

@@ -14,6 +14,45 @@ pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
 }
 
+/// Σ aᵢ bᵢ of long lists, in eight lanes: those of [`dot`] wait for one another. Both lists have one length.
+pub fn long_dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; 8];
+    let (chunks_a, chunks_b) = (a.chunks_exact(8), b.chunks_exact(8));
+    let rest: f64 = chunks_a.remainder().iter().zip(chunks_b.remainder()).map(|(a, b)| a * b).sum();
+    for (a, b) in chunks_a.zip(chunks_b) {
+        for lane in 0..8 {
+            sums[lane] += a[lane] * b[lane];
+        }
+    }
+    let halves = [0, 1, 2, 3].map(|lane| sums[lane] + sums[lane + 4]);
+    (halves[0] + halves[2]) + (halves[1] + halves[3]) + rest
+}
+
+/// Σ aᵢ bᵢ of one list with four others, at less cost than one by one, each in four lanes. All have one length.
+pub fn four_dots(a: &[f64], others: [&[f64]; 4]) -> [f64; 4] {
+    let (chunks, rest) = a.as_chunks::<4>();
+    let [b, c, d, e] = others.map(|other| other[..a.len()].as_chunks::<4>().0);
+    let mut sums = [[0.0; 4]; 4];
+    for ((((a, b), c), d), e) in chunks.iter().zip(b).zip(c).zip(d).zip(e) {
+        for (sum, other) in sums.iter_mut().zip([b, c, d, e]) {
+            for lane in 0..4 {
+                sum[lane] += a[lane] * other[lane];
+            }
+        }
+    }
+    let last = a.len() - rest.len();
+    core::array::from_fn(|i| {
+        let end: f64 = rest.iter().zip(&others[i][last..]).map(|(a, b)| a * b).sum();
+        of_lanes(&sums[i]) + end
+    })
+}
+
+/// Apart, so that the compiler leaves the lanes of one sum beside one another.
+#[inline(never)]
+fn of_lanes(lanes: &[f64; 4]) -> f64 {
+    (lanes[0] + lanes[2]) + (lanes[1] + lanes[3])
+}
+
 /// Adds `factor` times `x` to `y`.
 pub fn axpy(y: &mut [f64], factor: f64, x: &[f64]) {
     y.iter_mut().zip(x).for_each(|(y, x)| *y += factor * x);
@@ -39,6 +78,10 @@ mod tests {
             let (a, b): (Vec<f64>, Vec<f64>) = pairs.iter().map(|&(a, b)| (f64::from(a), f64::from(b))).unzip();
             let sum: i32 = pairs.iter().map(|(a, b)| a * b).sum();
             prop_assert_eq!(dot(&a, &b), f64::from(sum));
+            prop_assert_eq!(long_dot(&a, &b), f64::from(sum));
+            let twice: Vec<f64> = b.iter().map(|b| 2.0 * b).collect();
+            let sum = f64::from(sum);
+            prop_assert_eq!(four_dots(&a, [&b, &twice, &b, &twice]), [sum, 2.0 * sum, sum, 2.0 * sum]);
         }
 
         /// Taking off is adding the opposite, to the bit.

@@ -27,8 +27,8 @@ fn coriolis_terms() {
 fn bounds_with_coriolis_terms_from_few_functions() {
     let (coned, rules) = (CoupledBlade { precone: 0.05, ..golden() }, GaussRules::new());
     let layout = Layout { radii: vec![0.25, 1.125, 2.0], orders: vec![[4; 3]; 2], highest: 5e3 };
-    let assembly = Assembly::new(&coned, &layout, &rules);
-    let functions = iterate(&assembly, 144.0, 24, 1.0).unwrap().0;
+    let assembly = Assembly::new(&coned, &layout, &rules, None);
+    let functions = iterate(&assembly, 144.0, (24, 0), 1.0).unwrap().0;
     assert_eq!(functions.len(), 24, "all there are");
     let g = turning::Gyroscopic::new(&assembly);
     let solved = turning::solve(&coned, &assembly, &g, &functions, 12.0, 6).unwrap();
@@ -51,7 +51,7 @@ fn the_number_of_frequencies_below_is_proven_with_coriolis_terms() {
     let coned = CoupledBlade { precone: 0.05, ..golden() };
     let radii = (0..=4).map(|i| 0.25 + 1.75 * f64::from(i) / 4.0).collect();
     let layout = Layout { radii, orders: vec![[5; 3]; 4], highest: 5e3 };
-    let assembly = Assembly::new(&coned, &layout, &GaussRules::new());
+    let assembly = Assembly::new(&coned, &layout, &GaussRules::new(), None);
     for (below, omega) in [5.0, 12.0, 20.0, 30.0, 50.0, 62.0, 70.0].into_iter().enumerate() {
         let form = Form { alpha: 1.0, s: 144.0, kappa: -omega * omega, turning: 12.0 * omega };
         assert_eq!(index(&assembly, form), Some(below), "{omega}");

@@ -110,7 +110,7 @@ mod tests {
     #[test]
     fn modes_satisfy_their_equation() {
         let n = 8;
-        let entry = |i: usize, j: usize| f64::from(((7 * i + 3 * j) % 11) as u8) / 11.0 - 0.4;
+        let entry = |i: usize, j: usize| ((7 * i + 3 * j) % 11) as f64 / 11.0 - 0.4;
         let any = DMatrix::from_fn(n, n, entry);
         let a = &any * any.transpose() + DMatrix::from_diagonal_element(n, n, 1.0);
         let m = DMatrix::from_fn(n, n, |i, j| if i == j { 1.0 + 0.1 * i as f64 } else { 0.02 });

@@ -7,6 +7,7 @@
 //! that λ < 0 (divergence), G + σM takes its place.
 
 mod definite;
+mod few;
 mod gyroscopic;
 mod indefinite;
 mod inverse;
@@ -14,9 +15,9 @@ mod rigid;
 mod values;
 
 pub use definite::lowest_values;
+pub use few::{ascending_values, lowest_of_plain};
 pub use gyroscopic::{Turning, turning};
 pub use inverse::vectors;
-pub use values::eigenvalues as symmetric_values;
 
 use alloc::vec::Vec;
 use nalgebra::DMatrix;
