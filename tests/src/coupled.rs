@@ -10,6 +10,7 @@
 //! Q. J. Mech. Appl. Math. 24, 1971).
 
 mod blade;
+mod changes;
 mod count;
 mod crossing;
 mod loads;

@@ -30,7 +30,7 @@ use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::maximum;
 use alloc::vec::Vec;
 use assembly::{Assembly, Vector, sum};
-use bounds::{lower_bounds, prove, rounding};
+use bounds::{lower_bounds, prove, rounding, settle_free};
 use equilibrium::{ModeEnergies, ModeFields, energies, residuals};
 use layout::{Layout, first_layout, raise};
 use nalgebra::{DMatrix, DVector};
@@ -195,16 +195,16 @@ impl Solved {
             (Ok(proof), Some(_)) => Ok(proof.rho),
         };
         let rounding = rounding(&self.energies, &self.values, s, proof.map_or(0.0, |proof| proof.sigma));
-        let bounds = |i: usize| {
-            let lower = lower.as_ref()?.get(i)?;
-            Some((lower.min(self.values[i]) - rounding[i], self.values[i] + rounding[i]))
-        };
+        let interval =
+            |(i, lower): (usize, f64)| (lower.min(self.values[i]) - rounding[i], self.values[i] + rounding[i]);
+        let mut intervals: Vec<(f64, f64)> = lower.into_iter().flatten().enumerate().map(interval).collect();
+        settle_free(&mut intervals, blade.free_motions(s));
         let kinetic = shares::kinetic(assembly, &self.fields);
         let unit = |i: usize| DVector::from_fn(self.values.len(), |j, _| if i == j { 1.0 } else { 0.0 });
         let mode = |i: usize| CoupledMode {
-            eigenvalue: self.values[i],
+            eigenvalue: if intervals.get(i) == Some(&(0.0, 0.0)) { 0.0 } else { self.values[i] },
             error: self.gaps[(i, i)],
-            bounds: bounds(i),
+            bounds: intervals.get(i).copied(),
             shares: shares::shares(&kinetic, &unit(i)),
         };
         CoupledModes { modes: (0..count).map(mode).collect(), separation, functions: assembly.unknowns() }

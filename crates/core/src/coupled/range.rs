@@ -3,7 +3,7 @@
 
 use super::assembly::{Assembly, Vector, add, product, scale};
 use super::blade::CoupledBlade;
-use super::bounds::{Missing, Proof, ROUNDING, lower_bounds, prove_separation, prove_shift};
+use super::bounds::{Missing, Proof, ROUNDING, lower_bounds, prove_separation, prove_shift, settle_free};
 use super::equilibrium::{Factors, ModeFields, energies, residual};
 use super::layout::{first_layout, raise};
 use super::{FLOOR, MOST_ROUNDS, ORDER_OF_PROOFS, SHARE, SHIFT, Solved, TOLERANCE, iterate, shares};
@@ -111,6 +111,8 @@ pub struct Range {
     shift: Option<(f64, f64)>,
     functions: [usize; 3],
     error: f64,
+    /// Motions that cost nothing, at rest and at speed.
+    free: [usize; 2],
 }
 
 impl Range {
@@ -175,6 +177,7 @@ impl Range {
             shift: None,
             functions: fine.unknowns_by_motion(),
             error: 0.0,
+            free: [0.0, highest].map(|s| blade.free_motions(s)),
         };
         for share in CHECKS {
             let found = range.modes(share * highest, count)?;
@@ -319,7 +322,10 @@ impl Range {
             ROUNDING * (size + values[i].abs() + sigma)
         };
         let pair = |i: usize| (lower[i].min(values[i]) - rounding(i), values[i] + rounding(i));
-        Ok((0..self.count.min(n)).map(pair).collect())
+        let mut intervals: Vec<(f64, f64)> = (0..n).map(pair).collect();
+        settle_free(&mut intervals, self.free[usize::from(s > 0.0)]);
+        intervals.truncate(self.count);
+        Ok(intervals)
     }
 }
 
