@@ -13,6 +13,7 @@ mod blade;
 mod changes;
 mod count;
 mod crossing;
+pub mod extreme;
 mod loads;
 mod panels;
 mod product;

@@ -154,13 +154,14 @@ impl<'a> Followed<'a> {
             for (out, &(branch, ..)) in all.iter_mut().zip(&self.shown) {
                 let position = positions[branch];
                 let value = values[position];
+                let interval = bounds.as_ref().ok().filter(|_| position < self.modes).and_then(|all| all.get(position));
+                let proven = interval.is_some_and(|(lower, _)| *lower > 0.0);
                 // Without a number where the blade is unstable: a gap in the chart.
                 out.frequency_rad_s.push(match value {
                     value if value < -nothing => f64::NAN,
-                    value if value <= nothing => 0.0,
+                    value if value <= nothing && !proven => 0.0,
                     value => frequency(value),
                 });
-                let interval = bounds.as_ref().ok().filter(|_| position < self.modes).and_then(|all| all.get(position));
                 out.lower_rad_s.push(interval.filter(|_| value >= -nothing).map(|(lower, _)| frequency(*lower)));
                 out.upper_rad_s.push(interval.filter(|_| value >= -nothing).map(|(_, upper)| frequency(*upper)));
             }
