@@ -6,11 +6,13 @@
     reason = "a test stops where it fails, and shows what it measured"
 )]
 
+extern crate alloc;
+
+use alloc::collections::BTreeMap;
 use bladefan_core::report::CoupledModesReport;
 use bladefan_core::{FaultCode, ModelKind, Settings, check, coupled_modes};
 use bladefan_tests::coupled::Exact;
 use bladefan_tests::coupled::extreme::extreme;
-use std::collections::BTreeMap;
 
 /// Modes asked for.
 const MODES: usize = 8;
@@ -100,7 +102,9 @@ fn intervals_hold_or_are_absent_with_a_reason() {
             Err(faults) => wrong.push(format!("{place}: {faults}")),
         }
     }
-    kinds.values_mut().for_each(|seen| seen.without.dedup());
+    for seen in kinds.values_mut() {
+        seen.without.dedup();
+    }
     println!("{kinds:#?}");
     assert!(wrong.is_empty(), "{} wrong:\n{}", wrong.len(), wrong.join("\n"));
     let without: usize = kinds.values().map(|seen| seen.refused.len() + seen.without.len()).sum();

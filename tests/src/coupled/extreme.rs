@@ -98,14 +98,12 @@ fn short(mut case: Case, dice: &mut Dice) -> Case {
 }
 
 /// The same about every axis: flap and lag are one at rest, and differ by Ω² at speed.
-fn round(case: Case, dice: &mut Dice) -> Case {
-    let mut blade = case.blade.with_offsets(0.0);
+fn round(Case { blade, speed }: Case, dice: &mut Dice) -> Case {
+    let mut blade = CoupledBlade { point_masses: Vec::new(), ..blade }.with_offsets(0.0);
     blade.bending[1] = blade.bending[0].clone();
     blade.inertia[1] = blade.inertia[0].clone();
-    blade.point_masses.clear();
     blade.roots[1] = blade.roots[0];
-    let speed = if dice.once_in(2) { 0.0 } else { case.speed };
-    Case { blade, speed }
+    Case { blade, speed: if dice.once_in(2) { 0.0 } else { speed } }
 }
 
 /// Up to a thousand times the mass of the blade at its tip.
