@@ -112,7 +112,7 @@ fn reduces(blade: &CoupledBlade, paper_moment: bool, alone: &CoupledBlade, speed
 }
 
 proptest! {
-    #![proptest_config(cases(40))]
+    #![proptest_config(cases(30))]
 
     /// In a mirror beside the blade or below it everything swings as before. Without precone the signs of angles and
     /// of offsets are free by themselves, too: −v is as good as v, −φ as good as φ.
