@@ -142,13 +142,17 @@ def write(folder, blade, elements, flat):
     return folder / "blade.bmi"
 
 
-def ask(python, deck, speeds, modes):
+def ask(python, deck, speeds, modes, mixed=False):
     """What `bmodes_worker.py` answers, and the time of the whole process [s]."""
-    request = json.dumps({"deck": str(deck), "speeds": speeds, "modes": modes})
+    request = {"deck": str(deck), "speeds": speeds, "modes": modes, "mixed": mixed}
     command = [str(python), str(HERE / "bmodes_worker.py")]
     start = time.perf_counter()
     run = subprocess.run(
-        command, input=request, env=ENVIRONMENT, capture_output=True, text=True
+        command,
+        input=json.dumps(request),
+        env=ENVIRONMENT,
+        capture_output=True,
+        text=True,
     )
     seconds = time.perf_counter() - start
     if run.returncode != 0:

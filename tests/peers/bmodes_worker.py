@@ -1,5 +1,7 @@
 """Runs in the environment that holds pyBmodes: a request of `bmodes.ask` in, frequencies out, JSON
-both. The modes of a blade without twist or offsets are pure flap, lag or torsion at every speed."""
+both. The modes of a blade without twist or offsets are pure flap, lag or torsion at every speed, and
+are labelled; where they are `mixed` there is a list of frequencies at each speed, ascending.
+"""
 
 import json
 import math
@@ -40,9 +42,15 @@ def main():
     start = time.perf_counter()
     chart = campbell_sweep(blade, rpm, n_blade_modes=request["modes"])
     seconds = time.perf_counter() - start
-    modes = [
-        labelled(*at_speed) for at_speed in zip(chart.frequencies, chart.participation)
-    ]
+    if request["mixed"]:
+        modes = [
+            sorted(2 * math.pi * float(f) for f in row) for row in chart.frequencies
+        ]
+    else:
+        modes = [
+            labelled(*at_speed)
+            for at_speed in zip(chart.frequencies, chart.participation)
+        ]
     versions = {name: version(name) for name in ("pybmodes", "numpy", "scipy")}
     json.dump({"versions": versions, "modes": modes, "chart_s": seconds}, sys.stdout)
 

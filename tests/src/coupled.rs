@@ -10,8 +10,10 @@
 //! Q. J. Mech. Appl. Math. 24, 1971).
 
 mod blade;
+mod changes;
 mod count;
 mod crossing;
+pub mod extreme;
 mod loads;
 mod panels;
 mod product;

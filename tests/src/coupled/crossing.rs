@@ -9,8 +9,10 @@
 
 use super::series::{LENGTH, Series};
 
-/// Terms of each Taylor series.
-const TERMS: usize = 40;
+/// Terms of each Taylor series, and how many of them are to spare at the largest λ: between, a sum may nearly vanish,
+/// and more terms count beside it.
+const TERMS: usize = 48;
+const SPARE: usize = 8;
 /// Terms in a row that must be negligible, as a uniform beam has one term in four.
 const QUIET: usize = 4;
 /// What a term may be of the sum of those before it: below all roundings.
@@ -107,12 +109,12 @@ impl Crossing {
     /// Whether the series converge for λ of this size, a panel `share` shorter than one that just does.
     pub fn converges(&self, highest: f64, share: f64) -> bool {
         let more = highest / share.powi(4);
-        self.series(more).is_some() && self.series(-more).is_some()
+        [more, -more].into_iter().all(|square| self.series(square, TERMS - SPARE).is_some())
     }
 
-    /// The states at the outboard and the inboard end, for each unit state in the middle.
-    #[allow(clippy::needless_range_loop, clippy::large_stack_arrays, reason = "a recurrence on 32 KB")]
-    fn series(&self, square: f64) -> Option<[Transfer; 2]> {
+    /// The states at the outboard and the inboard end, for each unit state in the middle, of so many terms at most.
+    #[allow(clippy::needless_range_loop, clippy::large_stack_arrays, reason = "a recurrence on 38 KB")]
+    fn series(&self, square: f64, most: usize) -> Option<[Transfer; 2]> {
         let coefficients: Vec<[f64; LENGTH]> = self
             .entries
             .iter()
@@ -125,7 +127,7 @@ impl Crossing {
         let mut sizes = terms[0];
         let [mut outer, mut inner] = [terms[0]; 2];
         let (mut power, mut quiet) = (1.0, 0);
-        for k in 0..TERMS - 1 {
+        for k in 0..most - 1 {
             let mut next = [[0.0; 10]; 10];
             for (entry, coefficient) in self.entries.iter().zip(&coefficients) {
                 let row = &mut next[entry.row];
@@ -156,7 +158,7 @@ impl Crossing {
 
     /// The way from the outboard to the inboard end, in the panel's units.
     pub fn transfer(&self, square: f64) -> Option<Transfer> {
-        let [outer, inner] = self.series(square)?;
+        let [outer, inner] = self.series(square, TERMS)?;
         // The inverse of a Hamiltonian flow (a b; c d) is (dᵀ −bᵀ; −cᵀ aᵀ).
         let back = |i: usize, j: usize| {
             let value = outer[(j + 5) % 10][(i + 5) % 10];

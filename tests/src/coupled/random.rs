@@ -15,10 +15,11 @@ pub struct Case {
 }
 
 /// SplitMix64 (Steele, Lea & Flood, OOPSLA 2014).
-struct Dice(u64);
+#[derive(Clone, Debug)]
+pub(super) struct Dice(pub(super) u64);
 
 impl Dice {
-    fn next(&mut self) -> u64 {
+    pub(super) fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -26,16 +27,16 @@ impl Dice {
         z ^ (z >> 31)
     }
 
-    fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub(super) fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * (self.next() >> 11) as f64 * (-53_f64).exp2()
     }
 
-    fn power(&mut self, low: f64, high: f64) -> f64 {
+    pub(super) fn power(&mut self, low: f64, high: f64) -> f64 {
         10_f64.powf(self.between(low, high))
     }
 
     /// True once in so many throws.
-    fn once_in(&mut self, throws: u64) -> bool {
+    pub(super) fn once_in(&mut self, throws: u64) -> bool {
         self.next().is_multiple_of(throws)
     }
 }

@@ -94,7 +94,9 @@ fn mode_report(
     rigid: f64,
     separation: &Result<f64, Missing>,
 ) -> CoupledModeReport {
-    let eigenvalue = if mode.eigenvalue.abs() <= rigid { 0.0 } else { mode.eigenvalue };
+    let nothing =
+        mode.eigenvalue.abs() <= rigid && mode.bounds.is_none_or(|(lower, upper)| lower <= 0.0 && upper >= 0.0);
+    let eigenvalue = if nothing { 0.0 } else { mode.eigenvalue };
     let unstable = eigenvalue < 0.0;
     let root = |value: f64| (value >= 0.0).then(|| sqrt(value));
     let frequency = root(eigenvalue);

@@ -162,9 +162,11 @@ impl<'a> Followed<'a> {
             for (out, &(branch, ..)) in all.iter_mut().zip(&self.shown) {
                 let position = positions[branch];
                 let value = values[position];
-                // Without a number where the blade is unstable: a gap in the chart.
-                out.frequency_rad_s.push(shown(value, nothing).unwrap_or(f64::NAN));
                 let interval = bounds.as_ref().ok().filter(|_| position < self.modes).and_then(|all| all.get(position));
+                let proven = interval.is_some_and(|(lower, _)| *lower > 0.0);
+                // Without a number where the blade is unstable: a gap in the chart.
+                let zero = if proven { 0.0 } else { nothing };
+                out.frequency_rad_s.push(shown(value, zero).unwrap_or(f64::NAN));
                 out.lower_rad_s.push(interval.filter(|_| value >= -nothing).map(|(lower, _)| frequency(*lower)));
                 out.upper_rad_s.push(interval.filter(|_| value >= -nothing).map(|(_, upper)| frequency(*upper)));
             }

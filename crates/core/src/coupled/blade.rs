@@ -174,6 +174,18 @@ pub struct CoupledStretch {
 }
 
 impl CoupledBlade {
+    /// How many motions cost nothing at Ω² = s: at rest the turns about free roots, at speed the one in the disc
+    /// plane about a free lag hinge on the rotor's axis.
+    pub fn free_motions(&self, s: f64) -> usize {
+        let [flap, lag, _] = &self.roots;
+        let is_free = |root: &Root| root.condition == RootCondition::Free;
+        if s == 0.0 {
+            return self.roots.iter().filter(|root| is_free(root)).count();
+        }
+        let held = self.spring_angle != 0.0 && matches!(flap.condition, RootCondition::Spring(_));
+        usize::from(is_free(lag) && lag.offset == 0.0 && self.precone == 0.0 && !held)
+    }
+
     /// Radii at which any property has a station, a root stands or a mass hangs, from the innermost root to the
     /// tip.
     pub fn stations(&self) -> Vec<f64> {

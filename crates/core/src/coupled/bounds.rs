@@ -100,6 +100,14 @@ pub fn lower_bounds(values: &[f64], energies: &DMatrix<f64>, proof: &Proof) -> O
     Some(inverse.iter().rev().map(|nu| 1.0 / nu - sigma).collect())
 }
 
+/// Where as many intervals hold 0 as there are motions that cost nothing, their eigenvalues are those: exactly 0.
+pub fn settle_free(intervals: &mut [(f64, f64)], free: usize) {
+    let holds = |&(lower, upper): &(f64, f64)| lower <= 0.0 && upper >= 0.0;
+    if intervals.iter().filter(|interval| holds(interval)).count() == free {
+        intervals.iter_mut().filter(|interval| holds(interval)).for_each(|interval| *interval = (0.0, 0.0));
+    }
+}
+
 /// How far rounding may have moved each eigenvalue.
 pub fn rounding(energies: &[OwnEnergies], values: &[f64], s: f64, sigma: f64) -> Vec<f64> {
     let own = |(energies, value): (&OwnEnergies, &f64)| {

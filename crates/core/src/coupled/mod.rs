@@ -37,7 +37,7 @@ use crate::numerics::scalar::maximum;
 use alloc::vec;
 use alloc::vec::Vec;
 use assembly::{Assembly, Vector, sum};
-use bounds::{Proof, lower_bounds, prove, rounding};
+use bounds::{Proof, lower_bounds, prove, rounding, settle_free};
 use equilibrium::{ModeFields, OwnEnergies, energies, own_energies, residuals};
 use layout::{Layout, MOST_ORDER, first_layout, raise};
 use nalgebra::DMatrix;
@@ -244,20 +244,18 @@ impl Solved {
             (Ok(proof), Some(_)) => Ok(proof.rho),
         };
         let rounding = rounding(&self.energies, &self.values, s, proof.map_or(0.0, |proof| proof.sigma));
-        let bounds = |i: usize| {
-            let lower = lower.as_ref()?.get(i)?;
-            Some((lower.min(self.values[i]) - rounding[i], self.values[i] + rounding[i]))
-        };
+        let interval =
+            |(i, lower): (usize, f64)| (lower.min(self.values[i]) - rounding[i], self.values[i] + rounding[i]);
+        let mut intervals: Vec<(f64, f64)> = lower.into_iter().flatten().enumerate().map(interval).collect();
+        settle_free(&mut intervals, blade.free_motions(s));
         let mode = |i: usize| CoupledMode {
-            eigenvalue: self.values[i],
+            eigenvalue: if intervals.get(i) == Some(&(0.0, 0.0)) { 0.0 } else { self.values[i] },
             error: self.gaps[(i, i)],
-            bounds: bounds(i),
+            bounds: intervals.get(i).copied(),
             shares: shares::own_shares(assembly, &self.fields, i),
         };
-        let all = |proof: Proof| -> Option<Vec<f64>> {
-            (0..proof.below).map(|i| bounds(i).map(|(lower, _)| lower)).collect()
-        };
-        let proven = proof.ok().and_then(|proof| Some(Proven { proof, lower: all(proof)? }));
+        let known = proof.ok().filter(|proof| intervals.len() == proof.below);
+        let proven = known.map(|proof| Proven { proof, lower: intervals.iter().map(|(lower, _)| *lower).collect() });
         CoupledModes {
             modes: (0..count).map(mode).collect(),
             separation,

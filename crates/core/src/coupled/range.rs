@@ -3,7 +3,7 @@
 
 use super::assembly::{Assembly, Vector};
 use super::blade::CoupledBlade;
-use super::bounds::{Missing, Proof, ROUNDING, lower_bounds, prove_separation, prove_shift};
+use super::bounds::{Missing, Proof, ROUNDING, lower_bounds, prove_separation, prove_shift, settle_free};
 use super::equilibrium::{Factors, ModeEnergies, ModeFields, energies, residual};
 use super::layout::{first_layout, raise};
 use super::reduced::Reduced;
@@ -101,6 +101,8 @@ pub struct Range {
     highest: f64,
     shift: Option<(f64, f64)>,
     error: f64,
+    /// Motions that cost nothing, at rest and at speed.
+    free: [usize; 2],
 }
 
 impl Range {
@@ -137,7 +139,8 @@ impl Range {
         };
         let coarse = layout.with_orders_up_to(ORDER_OF_PROOFS);
         let coarse = Assembly::new(blade, &coarse, rules, Some(&fine));
-        Self { count, reduced, coarse, fine, highest, shift: None, error }.with_shift()
+        let free = [0.0, highest].map(|s| blade.free_motions(s));
+        Self { count, reduced, coarse, fine, highest, shift: None, error, free }.with_shift()
     }
 
     /// With the shift of all its bounds, which is about in proportion to the highest eigenvalue.
@@ -229,7 +232,10 @@ impl Range {
             ROUNDING * (size + values[i].abs() + sigma)
         };
         let pair = |i: usize| (lower[i].min(values[i]) - rounding(i), values[i] + rounding(i));
-        Ok((0..self.count.min(n)).map(pair).collect())
+        let mut intervals: Vec<(f64, f64)> = (0..n).map(pair).collect();
+        settle_free(&mut intervals, self.free[usize::from(s > 0.0)]);
+        intervals.truncate(self.count);
+        Ok(intervals)
     }
 }
 

@@ -16,6 +16,8 @@ const CROSSING: f64 = 2e-3;
 /// Most steps of the search for a least gap, and how near, as a share of the step between nodes, it ends.
 const STEPS: usize = 28;
 const CLOSE: f64 = 1e-7;
+/// A search that stops so near to an end, as a share of the distance of both, has found none between them.
+const END: f64 = 1e-2;
 
 /// Where two neighbouring branches come nearest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,8 +80,8 @@ impl Branches {
             let gaps: Vec<f64> = self.values.iter().map(|values| relative_gap(values, position)).collect();
             for k in 1..gaps.len().saturating_sub(1) {
                 if gaps[k] < NEAR && gaps[k] < gaps[k - 1] && gaps[k] <= gaps[k + 1] {
-                    let veering = nearest(spectrum, [self.nodes[k - 1], self.nodes[k], self.nodes[k + 1]], position)?;
-                    self.veerings.push(veering);
+                    let between = [self.nodes[k - 1], self.nodes[k], self.nodes[k + 1]];
+                    self.veerings.extend(nearest(spectrum, between, position)?);
                 }
             }
         }
@@ -127,19 +129,35 @@ fn relative_gap(values: &[f64], position: usize) -> f64 {
     if upper > 0.0 { (upper - lower) / upper } else { 1.0 }
 }
 
-/// Where two neighbours come nearest, by golden section, and parabolas through the square of their gap, which is
-/// one where two straight branches veer.
+/// Where two neighbours come nearest: by their distance in λ, in which straight branches cross and veer alike, else, where
+/// it falls up to an end, as a share of their frequency. From rest on there is no such share of rigid motions.
 fn nearest<E>(
     spectrum: &impl Fn(f64) -> Result<Vec<f64>, E>,
-    [mut low, mut at, mut high]: [f64; 3],
+    between: [f64; 3],
     position: usize,
-) -> Result<Veering, E> {
-    let square = |speed: f64| -> Result<f64, E> {
-        let values = spectrum(speed)?;
-        let gap = values[position + 1] - values[position];
-        Ok(gap * gap)
-    };
-    let width = high - low;
+) -> Result<Option<Veering>, E> {
+    let distance = |speed: f64| spectrum(speed).map(|values| values[position + 1] - values[position]);
+    let share = |speed: f64| spectrum(speed).map(|values| relative_gap(&values, position));
+    let mut found = least(&distance, between)?;
+    if found.is_none() && between[0] > 0.0 {
+        found = least(&share, between)?;
+    }
+    let Some(speed) = found else { return Ok(None) };
+    let values = spectrum(speed)?;
+    let (lower, upper) = (frequency(values[position]), frequency(values[position + 1]));
+    let gap = upper - lower;
+    let crosses = upper > 0.0 && gap < CROSSING * upper;
+    Ok(Some(Veering { position, crosses, speed, gap, frequency: 0.5 * (lower + upper) }))
+}
+
+/// Where a distance is least between two rotor speeds, by golden section from one between them, and parabolas through
+/// its square, which is one where two straight branches veer; nothing if at an end.
+fn least<E>(
+    distance: &impl Fn(f64) -> Result<f64, E>,
+    [mut low, mut at, mut high]: [f64; 3],
+) -> Result<Option<f64>, E> {
+    let square = |speed: f64| distance(speed).map(|distance| distance * distance);
+    let (ends, width) = ([low, high], high - low);
     let (mut below, mut here, mut above) = (square(low)?, square(at)?, square(high)?);
     for step in 0..STEPS {
         // The parabola in Ω² through three points.
@@ -169,11 +187,7 @@ fn nearest<E>(
             break;
         }
     }
-    let values = spectrum(at)?;
-    let (lower, upper) = (frequency(values[position]), frequency(values[position + 1]));
-    let gap = upper - lower;
-    let crosses = upper > 0.0 && gap < CROSSING * upper;
-    Ok(Veering { position, crosses, speed: at, gap, frequency: 0.5 * (lower + upper) })
+    Ok(ends.iter().all(|end| (at - end).abs() > END * width).then_some(at))
 }
 
 #[cfg(test)]
@@ -209,6 +223,33 @@ mod tests {
             assert_eq!(branches.order(0.9), [0, 1, 2]);
             assert_eq!(branches.order(1.1), if crosses { [1, 0, 2] } else { [0, 1, 2] });
         }
+    }
+
+    /// Two rigid motions have frequencies in proportion to the rotor speed, or nearly: nowhere do they come nearest.
+    #[test]
+    fn motions_that_are_rigid_at_rest_do_not_veer_there() {
+        let rigid = |speed: f64| -> Result<Vec<f64>, ()> {
+            let s = speed * speed;
+            Ok(alloc::vec![s, s * (1.2 + 0.1 * s), 100.0])
+        };
+        let nodes = Branches::nodes(1.5, 2.0);
+        let values = nodes.iter().map(|speed| rigid(*speed).unwrap()).collect();
+        assert_eq!(Branches::new(&rigid, nodes, values, 3).unwrap().veerings, []);
+    }
+
+    /// Frequencies 1 + 2 s and its like with a distance of 0.1 (1 + (s − 1)²) of the upper one: λ parts all the way.
+    #[test]
+    fn branches_come_nearest_as_a_share_of_their_frequency_where_they_part_in_eigenvalue() {
+        let parting = |speed: f64| -> Result<Vec<f64>, ()> {
+            let s = speed * speed;
+            let (upper, share) = (1.0 + 2.0 * s, 0.1 * (1.0 + (s - 1.0) * (s - 1.0)));
+            Ok(alloc::vec![(upper * (1.0 - share)).powi(2), upper * upper, 1e4])
+        };
+        let nodes = Branches::nodes(1.5, 1.4);
+        let values = nodes.iter().map(|speed| parting(*speed).unwrap()).collect();
+        let found = Branches::new(&parting, nodes, values, 3).unwrap().veerings;
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert!((found[0].speed - 1.0).abs() < 1e-6 && (found[0].gap - 0.3).abs() < 1e-9, "{found:?}");
     }
 
     #[test]
