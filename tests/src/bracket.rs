@@ -155,6 +155,7 @@ impl Case<'_> {
         let i = self.dof.index();
         let _ = write!(text, "\n  root {:?}, stiffness {:?}", self.blade.roots[i], self.blade.stiffness[i]);
         let _ = write!(text, "\n  radius {}, mass {:?}", self.blade.radius, self.blade.mass);
+        let _ = write!(text, "\n  point masses {:?}", self.blade.point_masses);
         if self.dof == Dof::Torsion {
             let _ = write!(text, "\n  inertia {:?}, offset {:?}", self.blade.polar_inertia, self.blade.mass_offset);
         }

@@ -12,7 +12,8 @@ pub struct Model {
     words: &'static str,
     /// Properties of which something does not act, and what to say where they are not 0.
     remarks: &'static [(Property, Use, &'static str)],
-    /// Whether pitch, precone, torque offset, the angle of the springs and point masses do not act.
+    /// Whether pitch, precone, torque offset and the angle of the springs do not act, and the offset of a point mass
+    /// in torsion only.
     ignores_pose: bool,
 }
 
@@ -67,9 +68,9 @@ impl Model {
             told.extend(pose(blade).map(|path| (path.into(), NOT_USED)));
         }
         told.extend(of_properties);
-        let heavy = |mass: &PointMass| mass.mass != 0.0 || mass.flap_inertia != 0.0 || mass.lag_inertia != 0.0;
-        if self.ignores_pose && blade.point_masses().iter().any(heavy) {
-            told.push(("point_mass".into(), "does not act in the uncoupled model"));
+        let offset = |mass: &PointMass| mass.offset != 0.0 && mass.mass != 0.0;
+        if self.ignores_pose && blade.point_masses().iter().any(offset) {
+            told.push(("point_mass.offset".into(), IN_TORSION));
         }
         told.into_iter().map(|(path, message)| Warning { path, message: message.to_string() }).collect()
     }
@@ -154,7 +155,7 @@ mod tests {
             .with_precone(0.1)
             .with_torque_offset(0.1)
             .with_spring_angle(SpringAngle::Pitch)
-            .with_point_mass(PointMassDefinition::new(1.0, 2.0))
+            .with_point_mass(PointMassDefinition::new(1.0, 2.0).with_offset(0.1))
             .with(Property::FlapInertia, 0.1)
             .with(Property::LagInertia, 0.1)
             .with(Property::TensionOffset, -0.1)
@@ -168,7 +169,7 @@ mod tests {
             "distribution.lag_inertia: not used by the uncoupled solver",
             "distribution.tension_offset: not used by the uncoupled solver",
             "distribution.trapeze_radius: not used by the uncoupled solver",
-            "point_mass: does not act in the uncoupled model",
+            "point_mass.offset: acts in torsion only",
         ];
         assert_eq!(told(&all), expected);
         let stiff = blade().with(Property::AxialStiffness, 5e8);

@@ -28,7 +28,7 @@ pub struct Root {
     pub condition: RootCondition,
 }
 
-/// A mass at one radius. It acts in every degree of freedom whose root is not outboard of it.
+/// A mass at one radius. It acts in every degree of freedom whose root is inboard of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointMass {
     /// Radius, from the least root offset to the tip radius [m].

@@ -82,8 +82,8 @@ pub(crate) fn taper_cuts(blade: &Blade, dof: Dof) -> Vec<f64> {
     cuts.collect()
 }
 
-/// The segments of a degree of freedom from its root to the tip, inner first; `extra` radii split
-/// segments too.
+/// The segments of a degree of freedom from its root to the tip, inner first: they end at stations and point
+/// masses; `extra` radii split them too.
 pub(crate) fn segments(blade: &Blade, dof: Dof, extra: &[f64]) -> Vec<Segment> {
     let (root, radius) = (blade.root(dof).offset, blade.radius());
     let properties: &[&PiecewiseLinear] = match dof {
@@ -95,6 +95,7 @@ pub(crate) fn segments(blade: &Blade, dof: Dof, extra: &[f64]) -> Vec<Segment> {
         .flat_map(|property| property.stations())
         .chain(extra)
         .copied()
+        .chain(blade.point_masses().iter().map(|mass| mass.r))
         .filter(|&r| r > root && r < radius)
         .collect();
     ends.push(root);
