@@ -115,6 +115,9 @@ pub struct TestBlade {
     pub mass_offset: Table,
     /// Point masses.
     pub point_masses: Vec<PointMass>,
+    /// I1 and I2, the mass moments per length out of the chord plane and in it [kg·m]; where they are given torsion
+    /// feels the full propeller moment, I2 − I1, and the polar inertia is their sum.
+    pub inertias: Option<[Table; 2]>,
 }
 
 impl TestBlade {
@@ -129,6 +132,7 @@ impl TestBlade {
             polar_inertia: Table::uniform(1.0),
             mass_offset: Table::uniform(0.0),
             point_masses: Vec::new(),
+            inertias: None,
         }
     }
 
@@ -175,6 +179,9 @@ impl TestBlade {
         }
         scaled.mass = scaled.mass.times(mass);
         scaled.polar_inertia = scaled.polar_inertia.times(mass);
+        for table in scaled.inertias.iter_mut().flatten() {
+            *table = table.times(mass);
+        }
         for lump in &mut scaled.point_masses {
             lump.mass *= mass;
             lump.inertia = lump.inertia.map(|inertia| inertia * mass);
@@ -205,6 +212,12 @@ impl TestBlade {
             .with(Property::TorsionStiffness, self.stiffness[2].definition())
             .with(Property::PolarInertia, self.polar_inertia.definition())
             .with(Property::MassOffset, self.mass_offset.definition());
+        let blade = match &self.inertias {
+            Some([flap, lag]) => {
+                blade.with(Property::FlapInertia, flap.definition()).with(Property::LagInertia, lag.definition())
+            }
+            None => blade,
+        };
         self.point_masses.iter().fold(blade, |blade, mass| {
             let own = PointMassDefinition::new(mass.r, mass.mass).with_offset(mass.offset);
             blade.with_point_mass(own.with_inertias(mass.inertia[0], mass.inertia[1]))
@@ -259,6 +272,7 @@ impl From<&Blade> for TestBlade {
                     inertia: [mass.flap_inertia, mass.lag_inertia],
                 })
                 .collect(),
+            inertias: None,
         }
     }
 }

@@ -90,6 +90,7 @@ pub fn blade() -> impl Strategy<Value = TestBlade> {
                 polar_inertia: table(&inertia, radius, 1e-3 * mass_unit * radius * radius),
                 mass_offset: table(&offset, radius, 1e-2 * radius),
                 point_masses: Vec::new(),
+                inertias: None,
             }
         },
     )
@@ -109,6 +110,20 @@ pub fn laden() -> impl Strategy<Value = TestBlade> {
         }));
         // A mass inboard of every root is none of the blade's.
         blade.point_masses.retain(|mass| blade.roots.iter().any(|root| mass.r >= root.offset));
+        blade
+    })
+}
+
+/// A random blade with point masses and both inertias, for the full propeller moment: which of them is the larger
+/// may change from piece to piece.
+pub fn racket() -> impl Strategy<Value = TestBlade> {
+    (laden(), 0.0..1.0_f64, any::<bool>()).prop_map(|(mut blade, share, changes)| {
+        let polar = &blade.polar_inertia;
+        let part = |share: f64| {
+            let at = |(i, y): (usize, &f64)| y * if changes && i % 4 > 1 { 1.0 - share } else { share };
+            Table { r: polar.r.clone(), y: polar.y.iter().enumerate().map(at).collect() }
+        };
+        blade.inertias = Some([part(share), part(1.0 - share)]);
         blade
     })
 }

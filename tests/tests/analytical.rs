@@ -6,11 +6,11 @@
 
 use bladefan_core::Dof;
 use bladefan_core::report::ShapesReport;
-use bladefan_core::{Settings, ShapeScale, shapes};
+use bladefan_core::{PropellerMoment, Settings, ShapeScale, shapes};
 use bladefan_tests::blades::{End, Table, TestBlade};
 use bladefan_tests::closed_forms::{CLAMPED, CONTROL_SPRING, HINGED, SPRING_HINGED};
 use bladefan_tests::coupled::PointMass;
-use bladefan_tests::solve::{converged, frequencies, settings};
+use bladefan_tests::solve::{converged, converged_settings, frequencies, settings, solve_with};
 
 /// Error allowed where the assumed functions hold the answer and only quadrature and rounding act:
 /// measured 1e-15, the goal is 1e-10. The paper reports up to 7.6e-5 (its Fig. 4).
@@ -191,6 +191,35 @@ fn torsion_with_an_inertia_at_the_tip() {
         let turning = exact.map(|f: f64| (f * f + 0.25 * speed * speed).sqrt());
         assert_close(&converged(&blade, Dof::Torsion, speed, 3), &turning, 1e-10, "tip inertia");
     }
+}
+
+/// The full propeller moment of a thin section is all of its inertia: ω² = ω₀² + Ω², whatever the blade. Of one
+/// that is as thick as it is wide there is none, and one that stands upright has it the other way round.
+#[test]
+fn the_full_propeller_moment_turns_sections_flat() {
+    let tip = PointMass { r: 0.962, mass: 0.1, offset: 0.03, inertia: [0.0, 2e-4] };
+    let thin = TestBlade { point_masses: vec![tip], ..TestBlade::stepped() };
+    let share = |part: f64| {
+        let [flap, lag] = [part, 1.0 - part].map(|part| thin.polar_inertia.times(part));
+        let masses = vec![PointMass { inertia: [2e-4 * part, 2e-4 * (1.0 - part)], ..tip }];
+        TestBlade { inertias: Some([flap, lag]), point_masses: masses, ..thin.clone() }
+    };
+    let full = |blade: &TestBlade, speed: f64| -> Vec<f64> {
+        let settings = converged_settings(Dof::Torsion, speed, 5);
+        let settings = Settings { propeller_moment: Some(PropellerMoment::Full), ..settings };
+        solve_with(&blade.blade(), &settings).iter().map(|mode| mode.frequency_rad_s).collect()
+    };
+    let speed = 105.0;
+    for end in [End::clamped(0.09), End::spring(0.09, 40.0)] {
+        for (blade, moment) in [(thin.clone(), 1.0), (share(0.0), 1.0), (share(0.5), 0.0), (share(0.75), -0.5)] {
+            let blade = blade.with_root(Dof::Torsion, end);
+            let still = converged(&blade, Dof::Torsion, 0.0, 5);
+            let turning: Vec<f64> = still.iter().map(|f| (f * f + moment * speed * speed).sqrt()).collect();
+            assert_close(&full(&blade, speed), &turning, 1e-10, &format!("{end:?}, {moment}"));
+        }
+    }
+    let loose = thin.with_root(Dof::Torsion, End::free(0.09));
+    assert_close(&full(&loose, speed)[..1], &[speed], 1e-12, "free in pitch");
 }
 
 #[test]

@@ -145,6 +145,7 @@ export interface ModelOptions extends SolverOptions {
   precone?: Angle | null;
   trapeze?: "on" | "off" | null;
   rotary?: "on" | "off" | null;
+  /** Absent: full in the coupled model, paper in the uncoupled one. */
   propeller_moment?: "full" | "paper" | null;
 }
 export interface ModesOptions extends ModelOptions {

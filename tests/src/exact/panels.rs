@@ -103,12 +103,24 @@ fn power_of_two(x: f64) -> f64 {
     x.log2().round().clamp(-250.0, 250.0).exp2()
 }
 
-/// What a point mass weighs, and what the rotor's turning adds by it: J and m e² in torsion.
-fn point_mass<T: Real>(mass: &PointMass, dof: Dof) -> [T; 2] {
+/// What the rotor's turning adds to the stiffness of twist on [a, b]: I2 − I1 or m Y².
+fn propeller<T: Real>(blade: &TestBlade, a: f64, b: f64) -> Poly<T> {
+    if let Some([flap, lag]) = &blade.inertias {
+        return segment::<T>(lag, a, b).iter().zip(segment::<T>(flap, a, b)).map(|(lag, flap)| *lag - flap).collect();
+    }
+    let offset = segment(&blade.mass_offset, a, b);
+    product(&segment(&blade.mass, a, b), &product(&offset, &offset))
+}
+
+/// What a point mass weighs, and what the rotor's turning adds by it: J, and m e² or J2 − J1, in torsion.
+fn point_mass<T: Real>(mass: &PointMass, dof: Dof, full: bool) -> [T; 2] {
     let (m, offset) = (T::of(mass.mass), T::of(mass.offset));
     match dof {
         Dof::Flap | Dof::Lag => [m, T::of(0.0)],
-        Dof::Torsion => [T::of(mass.inertia[0]) + T::of(mass.inertia[1]), m * offset * offset],
+        Dof::Torsion => {
+            let [flap, lag] = mass.inertia.map(T::of);
+            [flap + lag, if full { lag - flap } else { m * offset * offset }]
+        }
     }
 }
 
@@ -130,7 +142,8 @@ impl<T: Real> Stretch<T> {
         let least = at(&self.stiffness).into_iter().fold(f64::INFINITY, f64::min);
         let heaviest = most(&self.inertia);
         if dof == Dof::Torsion {
-            let pulled = speed * speed * most(&self.mass) * most(&self.offset).powi(2);
+            let paper = most(&self.mass) * most(&self.offset).powi(2);
+            let pulled = speed * speed * paper.max(most(&self.centrifugal));
             (least / (highest * highest * heaviest + pulled + f64::MIN_POSITIVE)).sqrt()
         } else {
             let wave = ((highest * highest + speed * speed) * heaviest / least).powf(0.25);
@@ -166,6 +179,8 @@ pub(super) fn of<T: Real>(blade: &TestBlade, dof: Dof, speed: f64, highest: f64,
     let stiffness = &blade.stiffness[dof.index()];
     let mut radii: Vec<f64> = [stiffness, &blade.mass, &blade.polar_inertia, &blade.mass_offset]
         .iter()
+        .copied()
+        .chain(blade.inertias.iter().flatten())
         .flat_map(|table| table.r.iter().copied())
         .chain(blade.point_masses.iter().map(|mass| mass.r))
         .filter(|&r| r > root.offset && r < blade.radius)
@@ -180,7 +195,9 @@ pub(super) fn of<T: Real>(blade: &TestBlade, dof: Dof, speed: f64, highest: f64,
         #[allow(clippy::float_cmp, reason = "panels end at the masses to the bit")]
         let hung: Vec<&PointMass> = blade.point_masses.iter().filter(|mass| mass.r == b).collect();
         tension = hung.iter().fold(tension, |sum, mass| sum + T::of(mass.mass) * T::of(mass.r));
-        let mut lump = [0, 1].map(|i| hung.iter().fold(T::of(0.0), |sum, mass| sum + point_mass::<T>(mass, dof)[i]));
+        let full = blade.inertias.is_some();
+        let acts = |i: usize| hung.iter().fold(T::of(0.0), |sum, mass| sum + point_mass::<T>(mass, dof, full)[i]);
+        let mut lump = [0, 1].map(acts);
         let mass: Poly<T> = segment(&blade.mass, a, b);
         let offset = segment(&blade.mass_offset, a, b);
         let length = T::of(b) - T::of(a);
@@ -189,7 +206,7 @@ pub(super) fn of<T: Real>(blade: &TestBlade, dof: Dof, speed: f64, highest: f64,
         pull[0] = tension;
         tension = value(&pull, length);
         let (inertia, centrifugal) = match dof {
-            Dof::Torsion => (segment(&blade.polar_inertia, a, b), product(&mass, &product(&offset, &offset))),
+            Dof::Torsion => (segment(&blade.polar_inertia, a, b), propeller(blade, a, b)),
             Dof::Flap | Dof::Lag => (mass.clone(), pull),
         };
         let stretch = Stretch { length, stiffness: segment(stiffness, a, b), inertia, mass, offset, centrifugal };

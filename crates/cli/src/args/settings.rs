@@ -60,18 +60,12 @@ impl FamilyArgs {
 impl ModelArgs {
     fn given(&self) -> Given<'_> {
         let mut given = self.coupled_only().to_vec();
-        given.push(("model", &self.model));
+        given.extend([("model", &self.model), ("propeller_moment", &self.propeller_moment)]);
         given
     }
 
-    fn coupled_only(&self) -> [(&'static str, &Option<String>); 5] {
-        [
-            ("pitch", &self.pitch),
-            ("precone", &self.precone),
-            ("trapeze", &self.trapeze),
-            ("rotary", &self.rotary),
-            ("propeller_moment", &self.propeller_moment),
-        ]
+    fn coupled_only(&self) -> [(&'static str, &Option<String>); 4] {
+        [("pitch", &self.pitch), ("precone", &self.precone), ("trapeze", &self.trapeze), ("rotary", &self.rotary)]
     }
 
     /// The options given that the model has no use for.

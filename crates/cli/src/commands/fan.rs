@@ -12,7 +12,7 @@ use crate::render::text::wrap;
 use crate::render::{csv, json, picture};
 use bladefan_core::Dof;
 use bladefan_core::Label;
-use bladefan_core::MODEL;
+use bladefan_core::Model;
 use bladefan_core::Settings;
 use bladefan_core::chart::{self, ChartOptions};
 use bladefan_core::figures::{short, significant};
@@ -68,7 +68,7 @@ fn table(chart: &FanChart, settings: &Settings, compared: Option<&[ComparedPoint
     let from = chart.speeds_rad_s.first().copied().unwrap_or_default();
     let to = chart.speeds_rad_s.last().copied().unwrap_or_default();
     let title = format!("{} speeds from {} to {}", chart.speeds_rad_s.len(), short(from, 4), speed(to));
-    let model = chart.model.as_ref().map_or_else(|| String::from(MODEL), ModelReport::words);
+    let model = chart.model.as_ref().map_or_else(|| Model::of(settings).words().into(), ModelReport::words);
     let mut text = heading_of(&chart.blade, &title, &basis(&chart.basis), &model, width);
     let mut section = |title: &str, table: &Table| {
         if !table.is_empty() {

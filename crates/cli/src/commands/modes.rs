@@ -7,11 +7,11 @@ use crate::io::messages::warn;
 use crate::io::output::{self, Output};
 use crate::render::accuracy::{Bounded, advice, bounds_cell, difference, difference_cell, percent};
 use crate::render::columns::{MARGIN_COLUMNS, MODE_COLUMNS, margin_cells, own};
-use crate::render::heading::{basis, heading, heading_of, speed};
+use crate::render::heading::{basis, heading_of, speed};
 use crate::render::table::{Align, Cell, Table};
 use crate::render::{csv, json};
 use bladefan_core::report::{CoupledModeReport, CoupledModesReport, ModeReport, ModesReport};
-use bladefan_core::{BasisFamily, ModelKind};
+use bladefan_core::{BasisFamily, Model, ModelKind, Settings};
 
 pub(super) fn run(args: &ModesArgs) -> Result<Output, Failure> {
     let settings = args.settings()?;
@@ -22,7 +22,7 @@ pub(super) fn run(args: &ModesArgs) -> Result<Output, Failure> {
         ModelKind::Uncoupled => {
             let report = input.ask("solving", |blade| bladefan_core::modes(blade, &settings))?;
             let text = match args.result.format {
-                Format::Table => table(&report, settings.functions, width),
+                Format::Table => table(&report, &settings, width),
                 Format::Json => json::line(&report)?,
                 Format::Csv => csv::modes(&report)?,
             };
@@ -73,13 +73,13 @@ fn coupled_table(report: &CoupledModesReport, width: usize) -> String {
     heading + &table.render(width)
 }
 
-fn table(report: &ModesReport, functions: usize, width: usize) -> String {
+fn table(report: &ModesReport, settings: &Settings, width: usize) -> String {
     let family = report.basis.family;
     // Either way it is the paper's functions against the converged frequency. Bounds far apart leave
     // no room for a unit in every row.
     let paper = match family {
         BasisFamily::Classical => String::from("error\n[%]"),
-        BasisFamily::Piecewise => format!("paper\nN={functions}"),
+        BasisFamily::Piecewise => format!("paper\nN={}", settings.functions),
     };
     let accuracy = [(String::from("bounds\n[rad/s]"), Align::Left), (paper, Align::Point)];
     let mut table = Table::new(MODE_COLUMNS.map(own).into_iter().chain(accuracy).chain(MARGIN_COLUMNS.map(own)));
@@ -102,6 +102,8 @@ fn table(report: &ModesReport, functions: usize, width: usize) -> String {
             distance,
         ]);
     }
-    let heading = heading(&report.blade, &speed(report.speed_rad_s), &basis(&report.basis), width);
+    let model = Model::of(settings);
+    let basis = basis(&report.basis);
+    let heading = heading_of(&report.blade, &speed(report.speed_rad_s), &basis, model.words(), width);
     heading + &table.render(width) + &advice(family, report.modes.iter().map(bounded), width)
 }

@@ -6,14 +6,14 @@ use crate::io::input;
 use crate::io::messages::warn;
 use crate::io::output::{self, Output};
 use crate::render::columns::pick;
-use crate::render::heading::{basis, heading, heading_of, speed};
+use crate::render::heading::{basis, heading_of, speed};
 use crate::render::table::{Align, Cell, Table};
 use crate::render::{csv, json, picture};
 use bladefan_core::Dof;
 use bladefan_core::chart;
 use bladefan_core::figures::{decimals, significant};
 use bladefan_core::report::{CoupledShapesReport, ShapesReport};
-use bladefan_core::{ModelKind, Settings, ShapeScale};
+use bladefan_core::{Model, ModelKind, Settings, ShapeScale};
 use core::fmt::Write as _;
 
 /// Most radii of the table.
@@ -76,7 +76,7 @@ fn coupled_table(report: &CoupledShapesReport, width: usize) -> String {
 /// One table per degree of freedom: a row for each of some radii, a column for each mode.
 fn table(report: &ShapesReport, settings: &Settings, width: usize) -> String {
     let title = format!("mode shapes at {}", speed(report.speed_rad_s));
-    let mut text = heading(&report.blade, &title, &basis(&report.basis), width);
+    let mut text = heading_of(&report.blade, &title, &basis(&report.basis), Model::of(settings).words(), width);
     text.push_str(match settings.normalise {
         ShapeScale::Max => "Displacement, 1 where it is largest\n\n",
         ShapeScale::Mass => "Displacement, scaled by mass (the paper's Eq. 86-87)\n\n",

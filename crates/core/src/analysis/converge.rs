@@ -1,6 +1,7 @@
 //! Frequency against the number of assumed functions.
 
 use super::basis::{Basis, Classical, converged, separated, solve};
+use super::model::turning;
 use super::{Settings, available, note, note_bounds, note_fewer, unsolvable, warnings};
 use crate::blade::Blade;
 use crate::converged::{Converged, TOLERANCE, Wanted, Work};
@@ -29,6 +30,7 @@ const ONE_MORE: f64 = 1.5;
 pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Faults> {
     settings.check_converge()?;
     settings.uncoupled()?;
+    let blade = &*turning(blade, settings)?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
     let mut report = ConvergeReport {
@@ -89,7 +91,7 @@ fn piecewise_steps(
     let work = Work::default();
     for order in 1..=MOST_ORDER {
         let before = work.left();
-        let cause = |cause| unsolvable(SolveError { dofs: system(dof).dofs, cause });
+        let cause = |cause| unsolvable(SolveError { dofs: system(blade, dof).dofs, cause });
         let found = Converged::with_order(blade, dof, speed * speed, count, order, rules, &work).map_err(cause)?;
         let modes = available(found.matrices(), speed * speed, count).map_err(unsolvable)?;
         let done = found.error() <= TOLERANCE && modes.len() == count;

@@ -1,7 +1,8 @@
 //! Frequencies of a coupled blade at one speed.
 
+use super::model::THIN;
 use super::{Settings, margin};
-use crate::blade::{Blade, Property};
+use crate::blade::{Blade, PropellerMoment, Property};
 use crate::coupled::{self, CoupledBlade, CoupledMode, Impossible, Missing, Options, TOLERANCE};
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode, Faults, Warning};
@@ -143,15 +144,15 @@ pub(super) fn model(blade: &Blade, settings: &Settings) -> Result<(CoupledBlade,
         warnings.push(Warning { path: "distribution.axial_stiffness".into(), message });
     }
     if !blade.inertias_given() {
-        let message = "taken for a thin section: all of it in the chord plane".into();
-        warnings.push(Warning { path: "distribution.polar_inertia".into(), message });
+        warnings.push(Warning { path: "distribution.polar_inertia".into(), message: THIN.into() });
     }
+    let paper_moment = settings.propeller_moment == Some(PropellerMoment::Paper);
     let options = Options {
         pitch: settings.pitch,
         precone: settings.precone,
         trapeze: on,
         rotary: settings.rotary,
-        paper_moment: settings.paper_moment,
+        paper_moment,
     };
     let coupled = CoupledBlade::new(blade, &options);
     possible(&coupled)?;
@@ -164,7 +165,7 @@ pub(super) fn model(blade: &Blade, settings: &Settings) -> Result<(CoupledBlade,
         gyroscopic: false,
         steady: false,
         cone: "held",
-        propeller_moment: if settings.paper_moment { "paper" } else { "full" },
+        propeller_moment: if paper_moment { "paper" } else { "full" },
         unused: Vec::new(),
     };
     Ok((coupled, model, warnings))

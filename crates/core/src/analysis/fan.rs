@@ -3,6 +3,7 @@
 use super::basis::solve;
 use super::coupled_fan::coupled_fan;
 use super::fitted::{Fitted, fitted};
+use super::model::turning;
 use super::{ModelKind, Settings, frequency, margin, note, note_crossings, note_fewer, warnings};
 use crate::blade::Blade;
 use crate::fan::meet_rays;
@@ -23,6 +24,7 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
     if settings.model == ModelKind::Coupled {
         return coupled_fan(blade, settings);
     }
+    let blade = &*turning(blade, settings)?;
     let rules = GaussRules::new();
     let nominal = blade.nominal_speed();
     let range = settings.speeds_or(nominal);

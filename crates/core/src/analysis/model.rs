@@ -1,7 +1,10 @@
 //! What is solved: the model in words, and what of a blade it does not use.
 
-use crate::blade::{Blade, PointMass, Property, SpringAngle};
-use crate::fault::Warning;
+use super::Settings;
+use crate::blade::{Blade, PointMass, PropellerMoment, Property, Racket, SpringAngle};
+use crate::fault::{Fault, FaultCode, Faults, Warning};
+use crate::figures::short;
+use alloc::borrow::Cow;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -19,6 +22,8 @@ pub struct Model {
 
 const NOT_USED: &str = "not used by the uncoupled solver";
 const IN_TORSION: &str = "acts in torsion only";
+/// What polar inertia alone is to the full propeller moment.
+pub(super) const THIN: &str = "taken for a thin section: all of it in the chord plane";
 
 /// How much of a property acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,8 +35,25 @@ enum Use {
 }
 
 impl Model {
+    /// Flap, lag and torsion apart, with the paper's propeller moment.
+    pub const UNCOUPLED: Self = Self::uncoupled(PropellerMoment::Paper);
+
     /// Flap, lag and torsion apart.
-    pub const UNCOUPLED: Self = Self {
+    pub const fn uncoupled(moment: PropellerMoment) -> Self {
+        match moment {
+            PropellerMoment::Paper => Self::PAPER,
+            PropellerMoment::Full => {
+                Self { words: "uncoupled, in vacuum, zero pitch, full propeller moment", ..Self::PAPER }
+            }
+        }
+    }
+
+    /// The uncoupled model with what settings ask for.
+    pub fn of(settings: &Settings) -> Self {
+        Self::uncoupled(settings.propeller_moment.unwrap_or(PropellerMoment::Paper))
+    }
+
+    const PAPER: Self = Self {
         words: "uncoupled, in vacuum, zero pitch, the paper's torsion term",
         remarks: &[
             (Property::FlapInertia, Use::InSum, NOT_USED),
@@ -57,10 +79,11 @@ impl Model {
 
     /// What of a blade does not act, or not as its author may expect, because of the model.
     pub fn unused(&self, blade: &Blade) -> Vec<Warning> {
+        let full = blade.racket() != Racket::Paper;
         let acts = |property: Property| blade.property(property).values().iter().any(|&value| value != 0.0);
         let remarks = self.remarks.iter().filter(|(property, ..)| acts(*property));
         let of_properties = remarks.map(|&(property, how, message)| {
-            let in_sum = how == Use::InSum && !blade.gives(Property::PolarInertia);
+            let in_sum = how == Use::InSum && (!blade.gives(Property::PolarInertia) || full);
             (format!("distribution.{}", property.key()), if in_sum { IN_TORSION } else { message })
         });
         let mut told: Vec<(String, &str)> = Vec::new();
@@ -68,6 +91,9 @@ impl Model {
             told.extend(pose(blade).map(|path| (path.into(), NOT_USED)));
         }
         told.extend(of_properties);
+        if full && !blade.inertias_given() {
+            told.push(("distribution.polar_inertia".into(), THIN));
+        }
         let offset = |mass: &PointMass| mass.offset != 0.0 && mass.mass != 0.0;
         if self.ignores_pose && blade.point_masses().iter().any(offset) {
             told.push(("point_mass.offset".into(), IN_TORSION));
@@ -90,6 +116,22 @@ fn pose(blade: &Blade) -> impl Iterator<Item = &'static str> {
 
 /// [`Model::words`] of the model that is solved.
 pub const MODEL: &str = Model::UNCOUPLED.words();
+
+/// A blade as the uncoupled model takes it: with the propeller moment of the settings.
+///
+/// # Errors
+/// Inertias of no section, of which the full moment would be made.
+pub(super) fn turning<'a>(blade: &'a Blade, settings: &Settings) -> Result<Cow<'a, Blade>, Faults> {
+    if settings.propeller_moment != Some(PropellerMoment::Full) {
+        return Ok(Cow::Borrowed(blade));
+    }
+    let fault = |r: f64| {
+        let rule = "must be at least flap_inertia less lag_inertia with the full propeller moment";
+        let message = format!("polar inertia {rule} (at r = {} m it is not)", short(r, 4));
+        Fault::new(FaultCode::OutOfRange, "distribution.polar_inertia", None, rule, message).into()
+    };
+    blade.with_full_propeller_moment().map(Cow::Owned).map_err(fault)
+}
 
 /// The warnings of every result: the blade's own, then what the model does not use of it.
 pub fn warnings(blade: &Blade) -> Vec<Warning> {
@@ -186,9 +228,37 @@ mod tests {
         assert_eq!(told(&given), expected);
         assert!(!Model::UNCOUPLED.uses(Property::FlapInertia), "its stations are those of the sum");
         assert_eq!(
-            crate::modes(&check(&given).unwrap(), &crate::Settings::default()).unwrap().modes,
-            crate::modes(&check(&blade()).unwrap(), &crate::Settings::default()).unwrap().modes,
+            crate::modes(&check(&given).unwrap(), &Settings::default()).unwrap().modes,
+            crate::modes(&check(&blade()).unwrap(), &Settings::default()).unwrap().modes,
         );
+    }
+
+    #[test]
+    fn the_full_propeller_moment_uses_inertias_that_a_section_can_have() {
+        let full = Settings { propeller_moment: Some(PropellerMoment::Full), ..Settings::default() };
+        let turned = |given: &BladeDefinition| turning(&check(given).unwrap(), &full).map(Cow::into_owned);
+        let told = |given: &BladeDefinition| -> Vec<String> {
+            warnings(&turned(given).unwrap()).iter().map(ToString::to_string).collect()
+        };
+        let thin = "distribution.polar_inertia: taken for a thin section: all of it in the chord plane";
+        assert_eq!(told(&blade()), [thin]);
+        let both = |flap: f64, lag: f64| blade().with(Property::FlapInertia, flap).with(Property::LagInertia, lag);
+        let expected =
+            ["distribution.flap_inertia: acts in torsion only", "distribution.lag_inertia: acts in torsion only"];
+        assert_eq!(told(&both(0.75, 0.25)), expected);
+        for (flap, lag, racket) in [(0.25, 0.75, Racket::Flat), (0.75, 0.25, Racket::Steep), (1.0, 0.0, Racket::Steep)]
+        {
+            assert_eq!(turned(&both(flap, lag)).unwrap().racket(), racket);
+        }
+        let message = "distribution.polar_inertia: polar inertia must be at least flap_inertia less lag_inertia with \
+                       the full propeller moment (at r = 0 m it is not)";
+        assert_eq!(turned(&both(1.5, 0.25)).unwrap_err().to_string(), message);
+        assert!(
+            crate::modes(&check(&both(1.5, 0.25)).unwrap(), &Settings::default()).is_ok(),
+            "the paper's needs none"
+        );
+        assert_eq!(Model::of(&full).words(), "uncoupled, in vacuum, zero pitch, full propeller moment");
+        assert_eq!(Model::of(&Settings::default()), Model::UNCOUPLED);
     }
 
     #[test]

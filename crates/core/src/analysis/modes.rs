@@ -1,6 +1,7 @@
 //! Frequencies at one speed.
 
 use super::basis::{Basis, Classical, converged, separated, solve};
+use super::model::turning;
 use super::{Settings, available, margin, note, note_bounds, note_fewer, unsolvable, warnings};
 use crate::blade::Blade;
 use crate::converged::{Wanted, Work};
@@ -23,6 +24,7 @@ use alloc::vec::Vec;
 pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Faults> {
     settings.check()?;
     settings.uncoupled()?;
+    let blade = &*turning(blade, settings)?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
     let square = speed * speed;

@@ -1,5 +1,6 @@
 //! Options of every command, one plain struct: defaults, reading from text, checks.
 
+use crate::blade::PropellerMoment;
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode, Faults};
 use crate::figures::Shortest;
@@ -97,8 +98,8 @@ pub struct Settings {
     pub trapeze: Option<bool>,
     /// Whether sections have rotary inertia in bending; coupled.
     pub rotary: bool,
-    /// Whether the propeller moment is the paper's, m Y², in place of I₂ − I₁; coupled.
-    pub paper_moment: bool,
+    /// Which propeller moment acts; `None`: the full one in the coupled model, the paper's in the uncoupled one.
+    pub propeller_moment: Option<PropellerMoment>,
 }
 
 /// Whether flap, lag and torsion feel one another.
@@ -131,7 +132,7 @@ impl Default for Settings {
             precone: None,
             trapeze: None,
             rotary: true,
-            paper_moment: false,
+            propeller_moment: None,
         }
     }
 }
@@ -195,8 +196,8 @@ impl Settings {
                 }
             }
             "propeller_moment" => match text {
-                "full" => self.paper_moment = false,
-                "paper" => self.paper_moment = true,
+                "full" => self.propeller_moment = Some(PropellerMoment::Full),
+                "paper" => self.propeller_moment = Some(PropellerMoment::Paper),
                 _ => return refuse("must be full or paper"),
             },
             "band" => match parse_band(text) {

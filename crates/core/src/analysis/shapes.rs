@@ -1,6 +1,7 @@
 //! Mode shapes along the span.
 
 use super::basis::{Basis, solve};
+use super::model::turning;
 use super::{Settings, ShapeScale, note, note_fewer, warnings};
 use crate::blade::Blade;
 use crate::converged::{Wanted, Work};
@@ -29,6 +30,7 @@ pub(super) fn radii(blade: &Blade, settings: &Settings) -> Vec<f64> {
 pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Faults> {
     settings.check()?;
     settings.uncoupled()?;
+    let blade = &*turning(blade, settings)?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
     let (radius, radii) = (blade.radius(), radii(blade, settings));

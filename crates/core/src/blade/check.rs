@@ -5,7 +5,7 @@ mod point_mass;
 mod pose;
 
 use super::definition::{BladeDefinition, RootDefinition, RootKind, RotorDefinition, Source};
-use super::model::{Blade, PointMass, Pose, Root, RootCondition};
+use super::model::{Blade, PointMass, Pose, Racket, Root, RootCondition};
 use super::property::Property;
 use super::range::Range;
 use crate::dof::Dof;
@@ -81,6 +81,7 @@ fn assemble(
         properties: properties.try_into().ok()?,
         given: span.given,
         point_masses: span.point_masses,
+        racket: Racket::default(),
         warnings,
     })
 }

@@ -17,6 +17,8 @@ pub struct Section {
     pub stiffness: [f64; 3],
     /// Polar mass moment of inertia per length ρI_p [kg·m].
     pub polar_inertia: f64,
+    /// I₂ − I₁ about the elastic axis, in and out of the chord plane [kg·m].
+    pub racket: f64,
     /// Mass centre ahead of the elastic axis Y [m].
     pub mass_offset: f64,
     /// Tension per Ω², T = ∫ m ρ dρ from r to R, with the point masses there [kg·m].
@@ -32,6 +34,7 @@ impl Section {
             mass: mass.mass,
             stiffness: [0.0; 3],
             polar_inertia: mass.flap_inertia + mass.lag_inertia,
+            racket: mass.lag_inertia - mass.flap_inertia,
             mass_offset: mass.offset,
             tension: 0.0,
         }
@@ -48,6 +51,7 @@ pub struct Stretch {
     mass: Linear,
     stiffness: [Linear; 3],
     polar_inertia: Linear,
+    inertias: [Linear; 2],
     mass_offset: Linear,
     /// The mass between the stretch's own ends, which its tension is summed from.
     own_mass: Linear,
@@ -83,6 +87,7 @@ impl Stretch {
             mass: linear(blade.mass()),
             stiffness: Dof::ALL.map(|dof| linear(blade.stiffness(dof))),
             polar_inertia: linear(blade.polar_inertia()),
+            inertias: blade.inertias().map(linear),
             mass_offset: linear(blade.mass_offset()),
             outboard,
         }
@@ -97,6 +102,7 @@ impl Stretch {
             mass: self.mass.at(r),
             stiffness: self.stiffness.map(|stiffness| stiffness.at(r)),
             polar_inertia: self.polar_inertia.at(r),
+            racket: self.inertias[1].at(r) - self.inertias[0].at(r),
             mass_offset: self.mass_offset.at(r),
             tension: self.outboard + tension_inside(self.own_mass.at(r), self.own_mass.at(self.to), r, self.to),
         }

@@ -42,11 +42,6 @@ pub struct Impossible {
 impl CoupledBlade {
     /// Of a blade. One that gives polar inertia alone is taken for thin: I₁ = 0, I₂ all of it.
     pub fn new(blade: &Blade, options: &Options) -> Self {
-        let inertia = if blade.inertias_given() {
-            [blade.flap_inertia().clone(), blade.lag_inertia().clone()]
-        } else {
-            [PiecewiseLinear::uniform(0.0), blade.polar_inertia().clone()]
-        };
         let pitch = options.pitch.unwrap_or_else(|| blade.pitch());
         let spring_angle = match blade.spring_angle() {
             SpringAngle::Angle(angle) => angle,
@@ -63,7 +58,7 @@ impl CoupledBlade {
             roots: Dof::ALL.map(|dof| blade.root(dof)),
             mass: blade.mass().clone(),
             stiffness: Dof::ALL.map(|dof| blade.stiffness(dof).clone()),
-            inertia,
+            inertia: blade.inertias().map(Clone::clone),
             mass_offset: blade.mass_offset().clone(),
             tension_offset: blade.tension_offset().clone(),
             trapeze: if options.trapeze { trapeze(blade) } else { Trapeze::Off },

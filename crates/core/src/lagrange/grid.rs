@@ -96,7 +96,7 @@ impl Grid {
     ) -> Self {
         let root = blade.root(dof);
         let mut grid = Self {
-            system: uncoupled::system(dof),
+            system: uncoupled::system(blade, dof),
             root: root.offset,
             condition: root.condition,
             panels: Vec::new(),
@@ -271,6 +271,7 @@ mod tests {
                     mass: blade.mass().at(r),
                     stiffness: Dof::ALL.map(|dof| blade.stiffness(dof).at(r)),
                     polar_inertia: blade.polar_inertia().at(r),
+                    racket: blade.polar_inertia().at(r),
                     mass_offset: blade.mass_offset().at(r),
                     tension: tension(r),
                 };
@@ -279,7 +280,7 @@ mod tests {
                     (Energy::Elastic, Quantity::Strain, grid.elastic()[k]),
                     (Energy::Centrifugal, Quantity::Rotation, grid.centrifugal()[k]),
                 ] {
-                    let known = uncoupled::system(dof).weight(energy, Field { dof, quantity })(&section);
+                    let known = uncoupled::system(&blade, dof).weight(energy, Field { dof, quantity })(&section);
                     assert!((found - known).abs() < 1e-15 * (1.0 + 10.0 * known), "{dof} at {r}: {found} {known}");
                 }
             }
