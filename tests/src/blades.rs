@@ -277,6 +277,18 @@ impl From<&Blade> for TestBlade {
     }
 }
 
+/// The same blade with flap and lag alone.
+#[must_use]
+pub fn without_torsion(mut blade: BladeDefinition) -> BladeDefinition {
+    blade.torsion = None;
+    if let Some(given) = &mut blade.distribution {
+        for property in Property::OF_TORSION {
+            given[property] = None;
+        }
+    }
+    blade
+}
+
 /// A built-in blade as the product reads it.
 ///
 /// # Panics

@@ -64,13 +64,14 @@ export interface Blade {
   };
   flap: BladeRoot<"hingeless" | "hinged" | "spring-hinged">;
   lag: BladeRoot<"hingeless" | "hinged" | "spring-hinged">;
-  torsion: BladeRoot<"rigid" | "spring">;
+  /** Absent, with `torsion_stiffness` and the inertias: flap and lag alone. */
+  torsion?: BladeRoot<"rigid" | "spring">;
   distribution: {
     r?: number[];
     mass: Property;
     flap_stiffness: Property;
     lag_stiffness: Property;
-    torsion_stiffness: Property;
+    torsion_stiffness?: Property;
     /** The sum of the next two where it is absent and they are not. */
     polar_inertia?: Property;
     flap_inertia?: Property;

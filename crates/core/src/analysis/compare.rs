@@ -30,7 +30,7 @@ pub fn compare(blade: &Blade, points: &[MeasuredPoint], settings: &Settings) -> 
         computed = coupled_at(blade, &asked, settings)?;
     }
     let blade = &*turning(blade, settings)?;
-    for dof in settings.ordered_dofs().filter(|_| settings.model == ModelKind::Uncoupled) {
+    for dof in settings.dofs_of(blade)?.into_iter().filter(|_| settings.model == ModelKind::Uncoupled) {
         let branch = |point: &MeasuredPoint| {
             let Label { dof: own, number, .. } = point.label;
             (own == dof && number <= settings.modes).then(|| number.checked_sub(1))?

@@ -42,7 +42,7 @@ pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Fa
         warnings: warnings(blade),
     };
     let square = speed * speed;
-    for dof in settings.ordered_dofs() {
+    for dof in settings.dofs_of(blade)? {
         let matrices = Classical::new(blade, dof, settings.up_to, &rules, false).matrices;
         let mut values = vec![Vec::with_capacity(settings.up_to); settings.modes];
         for &count in &report.functions {

@@ -130,6 +130,7 @@ pub(super) fn unsolvable(cause: EigenError) -> Faults {
 
 /// The blade as the coupled equations see it, what acts, and what its author should know.
 pub(super) fn model(blade: &Blade, settings: &Settings) -> Result<(CoupledBlade, ModelReport, Vec<Warning>), Faults> {
+    settings.dofs_of(blade)?;
     let mut warnings = blade.warnings().to_vec();
     let known = blade.gives(Property::AxialStiffness) || blade.gives(Property::TrapezeRadius);
     if settings.trapeze == Some(true) && !known {
@@ -139,11 +140,11 @@ pub(super) fn model(blade: &Blade, settings: &Settings) -> Result<(CoupledBlade,
         );
     }
     let on = settings.trapeze.unwrap_or(known);
-    if !known {
+    if !known && blade.has_torsion() {
         let message = "no axial stiffness: without trapeze 1T may be 2.5 % low".into();
         warnings.push(Warning { path: "distribution.axial_stiffness".into(), message });
     }
-    if !blade.inertias_given() {
+    if !blade.inertias_given() && blade.has_torsion() {
         warnings.push(Warning { path: "distribution.polar_inertia".into(), message: THIN.into() });
     }
     let paper_moment = settings.propeller_moment == Some(PropellerMoment::Paper);
@@ -155,7 +156,9 @@ pub(super) fn model(blade: &Blade, settings: &Settings) -> Result<(CoupledBlade,
         paper_moment,
     };
     let coupled = CoupledBlade::new(blade, &options);
-    possible(&coupled)?;
+    if blade.has_torsion() {
+        possible(&coupled)?;
+    }
     let model = ModelReport {
         kind: "coupled",
         pitch_rad: coupled.pitch,

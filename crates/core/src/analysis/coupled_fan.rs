@@ -4,7 +4,6 @@ use super::coupled::{label, model, unsolvable};
 use super::{Settings, frequency, margin};
 use crate::blade::Blade;
 use crate::coupled::{Bounded, Range, RangeMode};
-use crate::dof::Dof;
 use crate::fan::{Branches, Meets, OnBranch, meet};
 use crate::fault::{Faults, Warning};
 use crate::functions::BasisFamily;
@@ -60,8 +59,8 @@ pub(super) fn coupled_fan(blade: &Blade, settings: &Settings) -> Result<FanChart
         warnings,
         model: Some(model),
     };
-    for (dof, count) in Dof::ALL.into_iter().zip(range.functions()) {
-        chart.basis.functions.set(dof, count);
+    for (dof, count) in blade.dofs().iter().zip(range.functions()) {
+        chart.basis.functions.set(*dof, count);
     }
     followed.meet_rays((drawn.from, drawn.to), &mut chart).map_err(unsolvable)?;
     Ok(chart)

@@ -44,7 +44,7 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
         model: None,
         veerings: Vec::new(),
     };
-    for dof in settings.ordered_dofs() {
+    for dof in settings.dofs_of(blade)? {
         // From rest, where the Southwell coefficients are taken, past nominal speed.
         let squares = (range.from * range.from, range.to * range.to);
         let found = fitted(blade, dof, settings, squares, highest * highest, &rules)?;

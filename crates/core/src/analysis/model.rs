@@ -80,9 +80,12 @@ impl Model {
     /// What of a blade does not act, or not as its author may expect, because of the model.
     pub fn unused(&self, blade: &Blade) -> Vec<Warning> {
         let full = blade.racket() != Racket::Paper;
+        let partly = if blade.has_torsion() { IN_TORSION } else { NOT_USED };
         let acts = |property: Property| blade.property(property).values().iter().any(|&value| value != 0.0);
         let remarks = self.remarks.iter().filter(|(property, ..)| acts(*property));
         let of_properties = remarks.map(|&(property, how, message)| {
+            let unused = how == Use::Partly && (full || !blade.has_torsion());
+            let message = if unused { NOT_USED } else { message };
             let in_sum = how == Use::InSum && (!blade.gives(Property::PolarInertia) || full);
             (format!("distribution.{}", property.key()), if in_sum { IN_TORSION } else { message })
         });
@@ -91,12 +94,12 @@ impl Model {
             told.extend(pose(blade).map(|path| (path.into(), NOT_USED)));
         }
         told.extend(of_properties);
-        if full && !blade.inertias_given() {
+        if full && !blade.inertias_given() && blade.has_torsion() {
             told.push(("distribution.polar_inertia".into(), THIN));
         }
         let offset = |mass: &PointMass| mass.offset != 0.0 && mass.mass != 0.0;
         if self.ignores_pose && blade.point_masses().iter().any(offset) {
-            told.push(("point_mass.offset".into(), IN_TORSION));
+            told.push(("point_mass.offset".into(), partly));
         }
         told.into_iter().map(|(path, message)| Warning { path, message: message.to_string() }).collect()
     }

@@ -37,7 +37,7 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Faults> 
         modes: Vec::new(),
         warnings: warnings(blade),
     };
-    for dof in settings.ordered_dofs() {
+    for dof in settings.dofs_of(blade)? {
         let for_bounds = settings.basis == BasisFamily::Classical;
         let paper = Classical::new(blade, dof, settings.functions, &rules, for_bounds);
         // One mode more than asked for separates the last one from the rest.

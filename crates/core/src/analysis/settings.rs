@@ -1,6 +1,6 @@
 //! Options of every command, one plain struct: defaults, reading from text, checks.
 
-use crate::blade::PropellerMoment;
+use crate::blade::{Blade, PropellerMoment};
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode, Faults};
 use crate::figures::Shortest;
@@ -70,7 +70,8 @@ pub struct Settings {
     pub speeds: Option<SpeedRange>,
     /// Modes per degree of freedom. 5: what the paper's charts show.
     pub modes: usize,
-    /// Degrees of freedom, each at most once; results keep the order flap, lag, torsion.
+    /// Degrees of freedom, each at most once; results keep the order flap, lag, torsion. All three are those that the
+    /// blade has; one of fewer that it does not have is a fault.
     pub dofs: Vec<Dof>,
     /// Family of assumed functions.
     pub basis: BasisFamily,
@@ -310,9 +311,18 @@ impl Settings {
         self.speeds.unwrap_or(SpeedRange { from: 0.0, to: 1.2 * nominal, count: 101 })
     }
 
-    /// The degrees of freedom asked for, in the order of results.
-    pub fn ordered_dofs(&self) -> impl Iterator<Item = Dof> + '_ {
-        Dof::ALL.into_iter().filter(|dof| self.dofs.contains(dof))
+    /// The degrees of freedom asked for that a blade has, in the order of results.
+    ///
+    /// # Errors
+    /// Torsion, asked for by itself, of a blade without torsion data.
+    pub(super) fn dofs_of(&self, blade: &Blade) -> Result<Vec<Dof>, Faults> {
+        let asked = |dof: &&Dof| self.dofs.contains(dof);
+        if self.dofs.contains(&Dof::Torsion) && self.dofs.len() < Dof::ALL.len() && !blade.has_torsion() {
+            let rule = "needs torsion data of the blade: [torsion], torsion_stiffness and polar_inertia";
+            let message = format!("torsion {rule}");
+            return Err(Fault::new(FaultCode::Missing, "dof", Some("torsion".into()), rule, message).into());
+        }
+        Ok(blade.dofs().iter().filter(asked).copied().collect())
     }
 }
 

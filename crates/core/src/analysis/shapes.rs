@@ -44,7 +44,7 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Faults
         shapes: Vec::new(),
         warnings: warnings(blade),
     };
-    for dof in settings.ordered_dofs() {
+    for dof in settings.dofs_of(blade)? {
         let basis =
             Basis::new(blade, dof, settings, &Wanted::at(speed * speed, settings.modes), &rules, &Work::default())?;
         report.basis.functions.set(dof, basis.count());

@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 
 /// Mass, inertia and static moments of a blade.
 pub fn summary(blade: &Blade) -> BladeSummary {
-    let dofs = Dof::ALL.into_iter().map(|dof| {
+    let dofs = blade.dofs().iter().map(|&dof| {
         let root = blade.root(dof);
         let [mass, first, second] = moments(blade.mass(), root.offset, blade.radius());
         let torsion = dof == Dof::Torsion;

@@ -79,6 +79,9 @@ pub enum Racket {
 
 /// A blade that passed every check, in SI units. Each stiffness covers the span of its degree of
 /// freedom, mass that of flap and lag, and so on; the solver relies on it.
+///
+/// One [without torsion](Self::has_torsion) has its root of torsion clamped at the tip, so that nothing of it twists,
+/// and no torsional stiffness or inertia.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Blade {
     pub(super) name: String,
@@ -114,6 +117,16 @@ impl Blade {
     /// Number of blades, where given.
     pub fn blades(&self) -> Option<u32> {
         self.blades
+    }
+
+    /// Whether the definition gives anything of torsion; else flap and lag alone exist.
+    pub fn has_torsion(&self) -> bool {
+        self.gives(Property::TorsionStiffness)
+    }
+
+    /// The degrees of freedom that exist.
+    pub fn dofs(&self) -> &'static [Dof] {
+        if self.has_torsion() { &Dof::ALL } else { &[Dof::Flap, Dof::Lag] }
     }
 
     /// Root of a degree of freedom.

@@ -47,6 +47,9 @@ impl CoupledBlade {
             SpringAngle::Angle(angle) => angle,
             SpringAngle::Pitch => pitch + blade.twist().at(blade.root(Dof::Flap).offset),
         };
+        // Where nothing twists its stiffness is of no account, but not none.
+        let none = |dof| dof == Dof::Torsion && !blade.has_torsion();
+        let stiffness = |dof| if none(dof) { PiecewiseLinear::uniform(1.0) } else { blade.stiffness(dof).clone() };
         let lump = |mass: &PointMass| Lump {
             r: mass.r,
             mass: mass.mass,
@@ -57,7 +60,7 @@ impl CoupledBlade {
             radius: blade.radius(),
             roots: Dof::ALL.map(|dof| blade.root(dof)),
             mass: blade.mass().clone(),
-            stiffness: Dof::ALL.map(|dof| blade.stiffness(dof).clone()),
+            stiffness: Dof::ALL.map(stiffness),
             inertia: blade.inertias().map(Clone::clone),
             mass_offset: blade.mass_offset().clone(),
             tension_offset: blade.tension_offset().clone(),
