@@ -150,6 +150,29 @@ test("a blade that is written reads back the same", () => {
   }
 });
 
+test("a blade with point masses, and one without torsion, are solved alike", () => {
+  const { blade } = blades.find(({ name }) => name === "uh60a");
+  const { radius } = blade.rotor;
+  const laden = {
+    ...blade,
+    point_mass: [
+      { r: 0.75 * radius, mass: 3, offset: 0.01 },
+      { r: radius, mass: 1 },
+    ],
+  };
+  const bare = structuredClone(blade);
+  delete bare.torsion;
+  for (const key of ["torsion_stiffness", "polar_inertia", "flap_inertia", "lag_inertia"]) delete bare.distribution[key];
+  for (const [name, changed] of Object.entries({ laden, bare })) {
+    const file = join(folder, `${name}.json`);
+    writeFileSync(file, value(pkg.write_blade(changed, "json")));
+    for (const options of [{}, { propeller_moment: "full" }, { model: "coupled" }])
+      compare("modes", { name: file, blade: changed }, options, 10 * 10);
+    same(json("check", file), value(pkg.check(changed)));
+  }
+  assert.equal(pkg.modes(bare, { dof: "torsion" }).faults[0].path, "dof");
+});
+
 test("numbers, texts and lists of options mean the same", () => {
   const { blade } = blades[0];
   const modes = (options) => value(pkg.modes(blade, options));

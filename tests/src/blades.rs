@@ -2,11 +2,14 @@
 //! definition and check) and the independent solution in [`exact`](crate::exact), so that neither
 //! depends on how the other reads a table.
 
+use crate::coupled::PointMass;
 use bladefan_core::Dof;
 use bladefan_core::PiecewiseLinear;
 use bladefan_core::formats::{Format, read};
 use bladefan_core::library;
-use bladefan_core::{Blade, BladeDefinition, Property, PropertyDefinition, RootCondition, RootDefinition};
+use bladefan_core::{
+    Blade, BladeDefinition, PointMassDefinition, Property, PropertyDefinition, RootCondition, RootDefinition,
+};
 
 /// A property along the span: linear between radii, a repeated radius is a step. SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,6 +113,11 @@ pub struct TestBlade {
     pub polar_inertia: Table,
     /// Mass offset [m].
     pub mass_offset: Table,
+    /// Point masses.
+    pub point_masses: Vec<PointMass>,
+    /// I1 and I2, the mass moments per length out of the chord plane and in it [kg·m]; where they are given torsion
+    /// feels the full propeller moment, I2 − I1, and the polar inertia is their sum.
+    pub inertias: Option<[Table; 2]>,
 }
 
 impl TestBlade {
@@ -123,6 +131,8 @@ impl TestBlade {
             stiffness: [Table::uniform(1.0), Table::uniform(1.0), Table::uniform(1.0)],
             polar_inertia: Table::uniform(1.0),
             mass_offset: Table::uniform(0.0),
+            point_masses: Vec::new(),
+            inertias: None,
         }
     }
 
@@ -169,6 +179,13 @@ impl TestBlade {
         }
         scaled.mass = scaled.mass.times(mass);
         scaled.polar_inertia = scaled.polar_inertia.times(mass);
+        for table in scaled.inertias.iter_mut().flatten() {
+            *table = table.times(mass);
+        }
+        for lump in &mut scaled.point_masses {
+            lump.mass *= mass;
+            lump.inertia = lump.inertia.map(|inertia| inertia * mass);
+        }
         scaled
     }
 
@@ -185,7 +202,7 @@ impl TestBlade {
                 (_, Hold::Spring(k)) => RootDefinition::spring_hinged(offset, k),
             }
         };
-        BladeDefinition::new("test blade", self.radius, self.nominal_speed)
+        let blade = BladeDefinition::new("test blade", self.radius, self.nominal_speed)
             .with_flap(root(Dof::Flap))
             .with_lag(root(Dof::Lag))
             .with_torsion(root(Dof::Torsion))
@@ -194,7 +211,17 @@ impl TestBlade {
             .with(Property::LagStiffness, self.stiffness[1].definition())
             .with(Property::TorsionStiffness, self.stiffness[2].definition())
             .with(Property::PolarInertia, self.polar_inertia.definition())
-            .with(Property::MassOffset, self.mass_offset.definition())
+            .with(Property::MassOffset, self.mass_offset.definition());
+        let blade = match &self.inertias {
+            Some([flap, lag]) => {
+                blade.with(Property::FlapInertia, flap.definition()).with(Property::LagInertia, lag.definition())
+            }
+            None => blade,
+        };
+        self.point_masses.iter().fold(blade, |blade, mass| {
+            let own = PointMassDefinition::new(mass.r, mass.mass).with_offset(mass.offset);
+            blade.with_point_mass(own.with_inertias(mass.inertia[0], mass.inertia[1]))
+        })
     }
 
     /// A built-in blade, by its name.
@@ -235,8 +262,31 @@ impl From<&Blade> for TestBlade {
             stiffness: Dof::ALL.map(|dof| table(blade.stiffness(dof))),
             polar_inertia: table(blade.polar_inertia()),
             mass_offset: table(blade.mass_offset()),
+            point_masses: blade
+                .point_masses()
+                .iter()
+                .map(|mass| PointMass {
+                    r: mass.r,
+                    mass: mass.mass,
+                    offset: mass.offset,
+                    inertia: [mass.flap_inertia, mass.lag_inertia],
+                })
+                .collect(),
+            inertias: None,
         }
     }
+}
+
+/// The same blade with flap and lag alone.
+#[must_use]
+pub fn without_torsion(mut blade: BladeDefinition) -> BladeDefinition {
+    blade.torsion = None;
+    if let Some(given) = &mut blade.distribution {
+        for property in Property::OF_TORSION {
+            given[property] = None;
+        }
+    }
+    blade
 }
 
 /// A built-in blade as the product reads it.

@@ -5,6 +5,7 @@ use crate::blades::{Hold, TestBlade};
 use crate::exact::Exact;
 use crate::solve::{converged_settings, settings, solve_with};
 use bladefan_core::Dof;
+use bladefan_core::PropellerMoment;
 use bladefan_core::Settings;
 use bladefan_core::report::ModeReport;
 use core::fmt;
@@ -108,7 +109,8 @@ impl Case<'_> {
     }
 
     fn modes(&self, settings: &Settings) -> Vec<ModeReport> {
-        solve_with(&self.blade.blade(), settings)
+        let full = self.blade.inertias.is_some().then_some(PropellerMoment::Full);
+        solve_with(&self.blade.blade(), &Settings { propeller_moment: full, ..settings.clone() })
     }
 
     /// The k-th eigenvalue is in its interval: fewer than k lie below the lower end, at least k below
@@ -155,8 +157,10 @@ impl Case<'_> {
         let i = self.dof.index();
         let _ = write!(text, "\n  root {:?}, stiffness {:?}", self.blade.roots[i], self.blade.stiffness[i]);
         let _ = write!(text, "\n  radius {}, mass {:?}", self.blade.radius, self.blade.mass);
+        let _ = write!(text, "\n  point masses {:?}", self.blade.point_masses);
         if self.dof == Dof::Torsion {
             let _ = write!(text, "\n  inertia {:?}, offset {:?}", self.blade.polar_inertia, self.blade.mass_offset);
+            let _ = write!(text, "\n  inertias {:?}", self.blade.inertias);
         }
         text
     }

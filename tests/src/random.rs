@@ -2,6 +2,7 @@
 //! a tenth of the radius, each property on radii of its own, roots without inertia.
 
 use crate::blades::{End, Hold, Table, TestBlade};
+use crate::coupled::PointMass;
 use bladefan_core::Dof;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -88,9 +89,43 @@ pub fn blade() -> impl Strategy<Value = TestBlade> {
                 stiffness: stiffness.map(|pieces| table(&pieces, radius, stiffness_unit)),
                 polar_inertia: table(&inertia, radius, 1e-3 * mass_unit * radius * radius),
                 mass_offset: table(&offset, radius, 1e-2 * radius),
+                point_masses: Vec::new(),
+                inertias: None,
             }
         },
     )
+}
+
+/// A random blade with one to three point masses, each up to ten times as heavy as an average blade.
+pub fn laden() -> impl Strategy<Value = TestBlade> {
+    let mass = (1..=GRID, -2.0..1.0_f64, -0.03..0.03_f64, 0.0..1.0_f64, 0.0..1.0_f64);
+    (blade(), prop::collection::vec(mass, 1..=3)).prop_map(|(mut blade, masses)| {
+        let last = blade.mass.y.len() - 1;
+        let unit = blade.mass.y[last] * blade.radius;
+        blade.point_masses.extend(masses.into_iter().map(|(step, power, offset, flap, lag)| {
+            let (mass, offset) = (unit * 10_f64.powf(power), offset * blade.radius);
+            let extent = 1e-3 * mass * blade.radius * blade.radius;
+            let inertia = [extent * flap, mass * offset * offset + extent * lag];
+            PointMass { r: blade.radius * step as f64 / GRID as f64, mass, offset, inertia }
+        }));
+        // A mass inboard of every root is none of the blade's.
+        blade.point_masses.retain(|mass| blade.roots.iter().any(|root| mass.r >= root.offset));
+        blade
+    })
+}
+
+/// A random blade with point masses and both inertias, for the full propeller moment: which of them is the larger
+/// may change from piece to piece.
+pub fn racket() -> impl Strategy<Value = TestBlade> {
+    (laden(), 0.0..1.0_f64, any::<bool>()).prop_map(|(mut blade, share, changes)| {
+        let polar = &blade.polar_inertia;
+        let part = |share: f64| {
+            let at = |(i, y): (usize, &f64)| y * if changes && i % 4 > 1 { 1.0 - share } else { share };
+            Table { r: polar.r.clone(), y: polar.y.iter().enumerate().map(at).collect() }
+        };
+        blade.inertias = Some([part(share), part(1.0 - share)]);
+        blade
+    })
 }
 
 /// A random degree of freedom.

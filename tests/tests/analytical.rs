@@ -6,10 +6,11 @@
 
 use bladefan_core::Dof;
 use bladefan_core::report::ShapesReport;
-use bladefan_core::{Settings, ShapeScale, shapes};
+use bladefan_core::{PropellerMoment, Settings, ShapeScale, shapes};
 use bladefan_tests::blades::{End, Table, TestBlade};
 use bladefan_tests::closed_forms::{CLAMPED, CONTROL_SPRING, HINGED, SPRING_HINGED};
-use bladefan_tests::solve::{converged, frequencies, settings};
+use bladefan_tests::coupled::PointMass;
+use bladefan_tests::solve::{converged, converged_settings, frequencies, settings, solve_with};
 
 /// Error allowed where the assumed functions hold the answer and only quadrature and rounding act:
 /// measured 1e-15, the goal is 1e-10. The paper reports up to 7.6e-5 (its Fig. 4).
@@ -157,6 +158,68 @@ fn hinged_blade_turning() {
             assert_close(&[first], &[speed], IDENTITY, &format!("1F at {speed} rad/s, {functions} functions"));
         }
     }
+}
+
+/// Uniform cantilever EI = m = R = 1 with a mass of 1 at the tip: power series, 40 digits; at rest z² with
+/// 1 + cos z cosh z + z (cos z sinh z − sin z cosh z) = 0.
+#[test]
+fn cantilever_with_a_tip_mass() {
+    let tip = PointMass { r: 1.0, mass: 1.0, offset: 0.0, inertia: [0.0; 2] };
+    let blade = TestBlade { point_masses: vec![tip], ..TestBlade::uniform(1.0) };
+    for (speed, exact) in [
+        (0.0, [1.557_297_861_198_921, 16.250_085_158_238_6]),
+        (6.0, [6.509_055_923_327_381, 29.291_671_109_351_26]),
+        (12.0, [12.481_372_669_375_99, 50.859_386_054_839_54]),
+    ] {
+        let turning = exact.map(|f: f64| (f * f - speed * speed).sqrt());
+        for (dof, exact) in [(Dof::Flap, exact), (Dof::Lag, turning)] {
+            let what = format!("tip mass in {dof} at {speed} rad/s");
+            assert_close(&converged(&blade, dof, speed, 2), &exact, 1e-10, &what);
+            assert_above(&frequencies(&blade, dof, speed, 60, 2), &exact, 1e-4, &what);
+        }
+    }
+}
+
+/// Uniform, clamped, GJ = ρI_p = R = 1 with an inertia of 1 at the tip: γ tan γ = 1. The rotor's turning adds
+/// Ω² m Y² to both the tip's and the blade's stiffness where m Y² is as large a part of the inertia of either.
+#[test]
+fn torsion_with_an_inertia_at_the_tip() {
+    let exact = [0.860_333_589_019_379_8, 3.425_618_459_481_728, 6.437_298_179_171_947];
+    let tip = PointMass { r: 1.0, mass: 1.0, offset: 0.5, inertia: [0.25, 0.75] };
+    let blade = TestBlade { point_masses: vec![tip], mass_offset: Table::uniform(0.5), ..TestBlade::uniform(1.0) };
+    for speed in [0.0, 3.0] {
+        let turning = exact.map(|f: f64| (f * f + 0.25 * speed * speed).sqrt());
+        assert_close(&converged(&blade, Dof::Torsion, speed, 3), &turning, 1e-10, "tip inertia");
+    }
+}
+
+/// The full propeller moment of a thin section is all of its inertia: ω² = ω₀² + Ω², whatever the blade. Of one
+/// that is as thick as it is wide there is none, and one that stands upright has it the other way round.
+#[test]
+fn the_full_propeller_moment_turns_sections_flat() {
+    let tip = PointMass { r: 0.962, mass: 0.1, offset: 0.03, inertia: [0.0, 2e-4] };
+    let thin = TestBlade { point_masses: vec![tip], ..TestBlade::stepped() };
+    let share = |part: f64| {
+        let [flap, lag] = [part, 1.0 - part].map(|part| thin.polar_inertia.times(part));
+        let masses = vec![PointMass { inertia: [2e-4 * part, 2e-4 * (1.0 - part)], ..tip }];
+        TestBlade { inertias: Some([flap, lag]), point_masses: masses, ..thin.clone() }
+    };
+    let full = |blade: &TestBlade, speed: f64| -> Vec<f64> {
+        let settings = converged_settings(Dof::Torsion, speed, 5);
+        let settings = Settings { propeller_moment: Some(PropellerMoment::Full), ..settings };
+        solve_with(&blade.blade(), &settings).iter().map(|mode| mode.frequency_rad_s).collect()
+    };
+    let speed = 105.0;
+    for end in [End::clamped(0.09), End::spring(0.09, 40.0)] {
+        for (blade, moment) in [(thin.clone(), 1.0), (share(0.0), 1.0), (share(0.5), 0.0), (share(0.75), -0.5)] {
+            let blade = blade.with_root(Dof::Torsion, end);
+            let still = converged(&blade, Dof::Torsion, 0.0, 5);
+            let turning: Vec<f64> = still.iter().map(|f| (f * f + moment * speed * speed).sqrt()).collect();
+            assert_close(&full(&blade, speed), &turning, 1e-10, &format!("{end:?}, {moment}"));
+        }
+    }
+    let loose = thin.with_root(Dof::Torsion, End::free(0.09));
+    assert_close(&full(&loose, speed)[..1], &[speed], 1e-12, "free in pitch");
 }
 
 #[test]

@@ -27,7 +27,7 @@ fn blade(blade: &CoupledBlade, nominal: f64) -> Blade {
 fn chart(blade: &Blade, rotary: bool, to: f64, count: usize) -> FanChart {
     let settings = Settings {
         speeds: Some(SpeedRange { from: 0.0, to, count }),
-        model: ModelKind::Coupled,
+        model: Some(ModelKind::Coupled),
         coupled_modes: MODES,
         rotary,
         harmonics: 1,

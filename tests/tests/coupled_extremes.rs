@@ -86,7 +86,7 @@ fn intervals_hold_or_are_absent_with_a_reason() {
         let blade = check(&case.blade.definition()).unwrap_or_else(|faults| panic!("{kind}, {number}: {faults}"));
         let settings = Settings {
             speed: Some(case.speed),
-            model: ModelKind::Coupled,
+            model: Some(ModelKind::Coupled),
             coupled_modes: MODES,
             rotary: case.blade.rotary,
             ..Settings::default()

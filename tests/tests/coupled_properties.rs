@@ -3,7 +3,9 @@
 
 use bladefan_core::report::{Branch, CoupledModeReport};
 use bladefan_core::units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, Units};
-use bladefan_core::{BladeDefinition, Dof, ModelKind, Settings, SpeedRange, check, coupled_modes, fan, modes};
+use bladefan_core::{
+    BladeDefinition, Dof, ModelKind, PropellerMoment, Settings, SpeedRange, check, coupled_modes, fan, modes,
+};
 use bladefan_tests::blades::{End, Table};
 use bladefan_tests::coupled::random::{Case, case};
 use bladefan_tests::coupled::{CoupledBlade, Trapeze};
@@ -25,7 +27,7 @@ type Tried<T> = Result<T, TestCaseError>;
 fn settings(blade: &CoupledBlade, speed: f64) -> Settings {
     Settings {
         speed: Some(speed),
-        model: ModelKind::Coupled,
+        model: Some(ModelKind::Coupled),
         coupled_modes: MODES,
         rotary: blade.rotary,
         ..Settings::default()
@@ -91,9 +93,11 @@ fn uncoupled(blade: &CoupledBlade) -> CoupledBlade {
 /// The coupled modes beside those of each motion on its own: λ to 1e-13 and what the proven intervals of both leave
 /// open, and no share of another motion.
 fn reduces(blade: &CoupledBlade, paper_moment: bool, alone: &CoupledBlade, speed: f64) -> Tried<()> {
-    let coupled = solve_as(&blade.definition(), &Settings { paper_moment, ..settings(blade, speed) })?;
+    let propeller_moment = Some(if paper_moment { PropellerMoment::Paper } else { PropellerMoment::Full });
+    let coupled = solve_as(&blade.definition(), &Settings { propeller_moment, ..settings(blade, speed) })?;
     let alone = check(&alone.definition()).map_err(|faults| TestCaseError::fail(faults.to_string()))?;
-    let settings = Settings { speed: Some(speed), modes: MODES, model: ModelKind::Uncoupled, ..Settings::default() };
+    let settings =
+        Settings { speed: Some(speed), modes: MODES, model: Some(ModelKind::Uncoupled), ..Settings::default() };
     let mut alone = modes(&alone, &settings).unwrap().modes;
     alone.sort_by(|a, b| a.frequency_rad_s.total_cmp(&b.frequency_rad_s));
     for ((a, b), size) in coupled.iter().zip(&alone).zip(sizes(&coupled)) {

@@ -10,7 +10,7 @@ use bladefan_tests::coupled::{CoupledBlade, Trapeze};
 fn frequencies(blade: &CoupledBlade, speed: f64, count: usize) -> Vec<f64> {
     let settings = Settings {
         speed: Some(speed),
-        model: ModelKind::Coupled,
+        model: Some(ModelKind::Coupled),
         coupled_modes: count,
         rotary: blade.rotary,
         ..Settings::default()
@@ -66,7 +66,7 @@ fn meeting(pitch_degrees: f64, nominal: f64) -> VeeringReport {
     let blade: Blade = check(&definition).unwrap();
     let settings = Settings {
         speeds: Some(SpeedRange { from: 0.0, to: 12.0, count: 3 }),
-        model: ModelKind::Coupled,
+        model: Some(ModelKind::Coupled),
         coupled_modes: 4,
         rotary: false,
         ..Settings::default()

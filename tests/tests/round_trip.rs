@@ -10,6 +10,7 @@ use bladefan_core::{
     Blade, BladeDefinition, DistributionDefinition, PointMassDefinition, Property, PropertyDefinition, RootDefinition,
     RootKind, RotorDefinition, Source, SpringAngle, check, convert,
 };
+use bladefan_tests::blades::without_torsion;
 use bladefan_tests::faults::{BASE_JSON, BASE_TOML};
 use core::ops::Range;
 use proptest::collection::vec;
@@ -134,7 +135,12 @@ fn point_masses(radius: f64) -> impl Strategy<Value = Vec<PointMassDefinition>> 
     })
 }
 
+/// One in four without torsion.
 fn definition() -> impl Strategy<Value = BladeDefinition> {
+    (whole(), 0..4_u8).prop_map(|(blade, which)| if which == 0 { without_torsion(blade) } else { blade })
+}
+
+fn whole() -> impl Strategy<Value = BladeDefinition> {
     powers(-3..5).prop_flat_map(|radius| {
         (
             (any::<String>(), option::of(any::<String>()), option::of(any::<String>()), any::<bool>()),

@@ -38,7 +38,8 @@ const radiiOf = (doc) => [...new Set((doc.distribution?.r ?? []).filter(Number.i
 
 /** Which sliders this blade has: stiffnesses and mass, an offset per root, a spring where there is one. */
 function plan(doc) {
-  const rows = Object.entries(FACTORS).map(([key, name]) => ({ key: `factors.${key}`, name }));
+  const has = (key) => key !== "torsion_stiffness" || doc.distribution?.[key] !== undefined;
+  const rows = Object.entries(FACTORS).flatMap(([key, name]) => (has(key) ? [{ key: `factors.${key}`, name }] : []));
   for (const [dof, name] of Object.entries(DOFS)) {
     if (doc[dof]?.root !== "hingeless" && dof !== "torsion") rows.push({ key: `offsets.${dof}`, name: `${name} hinge offset` });
     if (typeof doc[dof]?.spring === "number" && doc[dof].spring > 0) rows.push({ key: `springs.${dof}`, name: `${name} spring` });

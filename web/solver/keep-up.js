@@ -24,12 +24,19 @@ export function optionsOf(analysis, { options, speed, band, window }) {
   return { ...at, functions, basis };
 }
 
+/** The degrees of freedom of these that a blade has: without torsion data flap and lag alone. */
+function dofsOf(doc, dofs) {
+  const bends = doc?.torsion === undefined && doc?.distribution?.torsion_stiffness === undefined;
+  const found = bends ? dofs.filter((dof) => dof !== "torsion") : dofs;
+  return found.length > 0 ? found : dofs;
+}
+
 /** Options of a drawing for this state. */
 export function looksOf(kind, state) {
-  const { theme, width, height, speedUnit: speed_unit, frequencyUnit: frequency_unit, dofs, closeDofs, measured, window } = state;
+  const { doc, theme, width, height, speedUnit: speed_unit, frequencyUnit: frequency_unit, dofs, closeDofs, measured, window } = state;
   const looks = { ...optionsOf(kind, state), theme, width, speed_unit, frequency_unit };
-  if (kind !== "fan") return { ...looks, dof: closeDofs };
-  return { ...looks, height, dof: dofs, measured: measured || null, frequencies: window?.frequencies };
+  if (kind !== "fan") return { ...looks, dof: dofsOf(doc, closeDofs) };
+  return { ...looks, height, dof: dofsOf(doc, dofs), measured: measured || null, frequencies: window?.frequencies };
 }
 
 /** A result that came late is of use while it is of this blade and of what is looked at now. */
@@ -98,7 +105,7 @@ export function startKeepingUp(store, client) {
    * chart is drawn, whose speeds and harmonics the page needs; `before` of the blade without what-if.
    */
   async function numbers(key, state, blade) {
-    const result = await client.call(key, "fan", blade, { ...optionsOf("fan", state), dof: state.dofs });
+    const result = await client.call(key, "fan", blade, { ...optionsOf("fan", state), dof: dofsOf(state.doc, state.dofs) });
     const wanted = key === "fan" || !isNeutral(store.get().whatIf);
     if (result?.status === "ok" && state.doc === store.get().doc && wanted) store.set({ [key]: result.value });
   }

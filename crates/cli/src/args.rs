@@ -196,7 +196,10 @@ struct ModelArgs {
     /// Rotary inertia in bending in the coupled model, on or off [default: on]
     #[arg(long, value_name = "ON|OFF")]
     rotary: Option<String>,
-    /// Propeller moment of the coupled model, full or paper [default: full]
+    /// Coriolis terms in coupled modes at one speed, on or off [default: off]
+    #[arg(long, value_name = "ON|OFF")]
+    gyroscopic: Option<String>,
+    /// Propeller moment that torsion feels, full or paper [default: full in the coupled model, else paper]
     #[arg(long, value_name = "FULL|PAPER")]
     propeller_moment: Option<String>,
 }

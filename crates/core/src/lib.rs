@@ -80,8 +80,8 @@ pub use analysis::{
 };
 pub use blade::{
     Amount, Blade, BladeDefinition, Change, Changed, DistributionDefinition, Part, PointMass, PointMassDefinition,
-    Property, PropertyDefinition, Root, RootCondition, RootDefinition, RootKind, RotorDefinition, Source, SpringAngle,
-    What, change, check, convert,
+    PropellerMoment, Property, PropertyDefinition, Root, RootCondition, RootDefinition, RootKind, RotorDefinition,
+    Source, SpringAngle, What, change, check, convert,
 };
 pub use dof::Dof;
 pub use fault::{Fault, FaultCode, Faults, Warning};

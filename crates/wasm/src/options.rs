@@ -22,7 +22,7 @@ pub(crate) enum Analysis {
 }
 
 /// Options of the model, of every analysis.
-const MODEL: &[&str] = &["model", "pitch", "precone", "trapeze", "rotary", "propeller_moment"];
+const MODEL: &[&str] = &["model", "pitch", "precone", "trapeze", "rotary", "gyroscopic", "propeller_moment"];
 
 impl Analysis {
     /// What has a chart; modes are a table.

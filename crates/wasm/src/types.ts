@@ -64,13 +64,14 @@ export interface Blade {
   };
   flap: BladeRoot<"hingeless" | "hinged" | "spring-hinged">;
   lag: BladeRoot<"hingeless" | "hinged" | "spring-hinged">;
-  torsion: BladeRoot<"rigid" | "spring">;
+  /** Absent, with `torsion_stiffness` and the inertias: flap and lag alone. */
+  torsion?: BladeRoot<"rigid" | "spring">;
   distribution: {
     r?: number[];
     mass: Property;
     flap_stiffness: Property;
     lag_stiffness: Property;
-    torsion_stiffness: Property;
+    torsion_stiffness?: Property;
     /** The sum of the next two where it is absent and they are not. */
     polar_inertia?: Property;
     flap_inertia?: Property;
@@ -145,6 +146,9 @@ export interface ModelOptions extends SolverOptions {
   precone?: Angle | null;
   trapeze?: "on" | "off" | null;
   rotary?: "on" | "off" | null;
+  /** Coriolis terms, in `modes` alone. */
+  gyroscopic?: "on" | "off" | null;
+  /** Absent: full in the coupled model, paper in the uncoupled one. */
   propeller_moment?: "full" | "paper" | null;
 }
 export interface ModesOptions extends ModelOptions {
@@ -298,7 +302,7 @@ export interface CoupledMode {
   lower_eigenvalue_s2: number | null;
   upper_eigenvalue_s2: number | null;
   /** Why there are no bounds. */
-  bounds_missing: "separation not proven" | "no shift" | null;
+  bounds_missing: "separation not proven" | "no shift" | "statically unstable" | null;
   /** Where there are none: an estimate, which is no bound. */
   error_estimate_rad_s: number | null;
   separation_rad_s: number | null;

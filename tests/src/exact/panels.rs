@@ -2,6 +2,7 @@
 
 use super::{Real, State, TERMS, over};
 use crate::blades::{Table, TestBlade};
+use crate::coupled::PointMass;
 use bladefan_core::Dof;
 
 /// Longest panel in units of the shortest characteristic length of the solution on it.
@@ -22,6 +23,9 @@ pub(crate) struct Panel<T> {
     inertia: Poly<T>,
     /// T of bending, or m Y² of torsion.
     centrifugal: Poly<T>,
+    /// Point masses at its outboard end: mass, or in torsion their inertia and what the rotor's turning adds to
+    /// their stiffness.
+    lump: [T; 2],
     /// Units of (displacement, slope, moment, force) that suit this panel, powers of two: in them
     /// nothing grows much on the way across it.
     pub(crate) scale: [f64; 4],
@@ -99,6 +103,27 @@ fn power_of_two(x: f64) -> f64 {
     x.log2().round().clamp(-250.0, 250.0).exp2()
 }
 
+/// What the rotor's turning adds to the stiffness of twist on [a, b]: I2 − I1 or m Y².
+fn propeller<T: Real>(blade: &TestBlade, a: f64, b: f64) -> Poly<T> {
+    if let Some([flap, lag]) = &blade.inertias {
+        return segment::<T>(lag, a, b).iter().zip(segment::<T>(flap, a, b)).map(|(lag, flap)| *lag - flap).collect();
+    }
+    let offset = segment(&blade.mass_offset, a, b);
+    product(&segment(&blade.mass, a, b), &product(&offset, &offset))
+}
+
+/// What a point mass weighs, and what the rotor's turning adds by it: J, and m e² or J2 − J1, in torsion.
+fn point_mass<T: Real>(mass: &PointMass, dof: Dof, full: bool) -> [T; 2] {
+    let (m, offset) = (T::of(mass.mass), T::of(mass.offset));
+    match dof {
+        Dof::Flap | Dof::Lag => [m, T::of(0.0)],
+        Dof::Torsion => {
+            let [flap, lag] = mass.inertia.map(T::of);
+            [flap + lag, if full { lag - flap } else { m * offset * offset }]
+        }
+    }
+}
+
 /// Properties between two radii where none of them has a step or a kink.
 struct Stretch<T> {
     length: T,
@@ -117,7 +142,8 @@ impl<T: Real> Stretch<T> {
         let least = at(&self.stiffness).into_iter().fold(f64::INFINITY, f64::min);
         let heaviest = most(&self.inertia);
         if dof == Dof::Torsion {
-            let pulled = speed * speed * most(&self.mass) * most(&self.offset).powi(2);
+            let paper = most(&self.mass) * most(&self.offset).powi(2);
+            let pulled = speed * speed * paper.max(most(&self.centrifugal));
             (least / (highest * highest * heaviest + pulled + f64::MIN_POSITIVE)).sqrt()
         } else {
             let wave = ((highest * highest + speed * speed) * heaviest / least).powf(0.25);
@@ -153,7 +179,10 @@ pub(super) fn of<T: Real>(blade: &TestBlade, dof: Dof, speed: f64, highest: f64,
     let stiffness = &blade.stiffness[dof.index()];
     let mut radii: Vec<f64> = [stiffness, &blade.mass, &blade.polar_inertia, &blade.mass_offset]
         .iter()
+        .copied()
+        .chain(blade.inertias.iter().flatten())
         .flat_map(|table| table.r.iter().copied())
+        .chain(blade.point_masses.iter().map(|mass| mass.r))
         .filter(|&r| r > root.offset && r < blade.radius)
         .chain([root.offset, blade.radius])
         .collect();
@@ -163,6 +192,12 @@ pub(super) fn of<T: Real>(blade: &TestBlade, dof: Dof, speed: f64, highest: f64,
     let (mut panels, mut tension) = (Vec::new(), T::of(0.0));
     for ends in radii.windows(2).rev() {
         let (a, b) = (ends[0], ends[1]);
+        #[allow(clippy::float_cmp, reason = "panels end at the masses to the bit")]
+        let hung: Vec<&PointMass> = blade.point_masses.iter().filter(|mass| mass.r == b).collect();
+        tension = hung.iter().fold(tension, |sum, mass| sum + T::of(mass.mass) * T::of(mass.r));
+        let full = blade.inertias.is_some();
+        let acts = |i: usize| hung.iter().fold(T::of(0.0), |sum, mass| sum + point_mass::<T>(mass, dof, full)[i]);
+        let mut lump = [0, 1].map(acts);
         let mass: Poly<T> = segment(&blade.mass, a, b);
         let offset = segment(&blade.mass_offset, a, b);
         let length = T::of(b) - T::of(a);
@@ -171,7 +206,7 @@ pub(super) fn of<T: Real>(blade: &TestBlade, dof: Dof, speed: f64, highest: f64,
         pull[0] = tension;
         tension = value(&pull, length);
         let (inertia, centrifugal) = match dof {
-            Dof::Torsion => (segment(&blade.polar_inertia, a, b), product(&mass, &product(&offset, &offset))),
+            Dof::Torsion => (segment(&blade.polar_inertia, a, b), propeller(blade, a, b)),
             Dof::Flap | Dof::Lag => (mass.clone(), pull),
         };
         let stretch = Stretch { length, stiffness: segment(stiffness, a, b), inertia, mass, offset, centrifugal };
@@ -191,8 +226,10 @@ pub(super) fn of<T: Real>(blade: &TestBlade, dof: Dof, speed: f64, highest: f64,
                 stiffness: rescaled(shifted(&stretch.stiffness, x), step),
                 inertia: rescaled(shifted(&stretch.inertia, x), step),
                 centrifugal: rescaled(shifted(&stretch.centrifugal, x), step),
+                lump,
                 scale: [unit, 1.0, stiff / unit, stiff / unit / unit],
             });
+            lump = [T::of(0.0); 2];
             x = if step >= length - x { length } else { x + step };
         }
     }
@@ -208,6 +245,7 @@ impl<T: Real> Panel<T> {
             series[0] = first;
             series
         });
+        v[0] = v[0] - load * self.lump[0] * w[0];
         let unbent = T::of(1.0) / self.stiffness[0];
         for k in 0..TERMS {
             let next = self.length / T::of((k + 1) as f64);
@@ -232,7 +270,7 @@ impl<T: Real> Panel<T> {
     pub(crate) fn twist(&self, pull: T, square: T, [theta, torque]: [T; 2]) -> [T; 2] {
         let zero = T::of(0.0);
         let (mut t, mut q) = ([zero; TERMS + 1], [zero; TERMS + 1]);
-        (t[0], q[0]) = (theta, torque);
+        (t[0], q[0]) = (theta, torque + (square * self.lump[0] - pull * self.lump[1]) * theta);
         for k in 0..TERMS {
             let next = self.length / T::of((k + 1) as f64);
             // Inward coordinate: θ′ and Q′ change sign against the outward one.

@@ -60,7 +60,7 @@ impl FamilyArgs {
 impl ModelArgs {
     fn given(&self) -> Given<'_> {
         let mut given = self.coupled_only().to_vec();
-        given.push(("model", &self.model));
+        given.extend([("model", &self.model), ("propeller_moment", &self.propeller_moment)]);
         given
     }
 
@@ -70,7 +70,7 @@ impl ModelArgs {
             ("precone", &self.precone),
             ("trapeze", &self.trapeze),
             ("rotary", &self.rotary),
-            ("propeller_moment", &self.propeller_moment),
+            ("gyroscopic", &self.gyroscopic),
         ]
     }
 

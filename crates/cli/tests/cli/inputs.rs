@@ -43,6 +43,25 @@ fn standard_input_is_json_where_it_begins_with_a_brace() {
     assert!(faults.lines().all(|line| line.starts_with("<stdin>:")), "{faults}");
 }
 
+/// Flap and lag alone, with a line that says so; torsion by name is refused.
+#[test]
+fn a_blade_may_have_no_torsion() {
+    let text = toml("uniform").replace("[torsion]\nroot = \"rigid\"\n", "");
+    let text = text.replace("torsion_stiffness = 1\npolar_inertia = 1", "");
+    for model in ["uncoupled", "coupled"] {
+        let found = run_with(text.clone(), &["modes", "-", "--model", model]);
+        assert!(found.stderr.contains("torsion: no torsion data: flap and lag alone"), "{found:?}");
+        let table = found.good();
+        assert!(table.contains("1F") && table.contains("1L") && !table.contains("1T"), "{table}");
+    }
+    let refused = run_with(text.clone(), &["modes", "-", "--dof", "torsion"]).refused();
+    let missing = "torsion needs torsion data of the blade: [torsion], torsion_stiffness and polar_inertia";
+    assert!(refused.contains(missing), "{refused}");
+    let summary = run_with(text, &["check", "-"]);
+    assert!(summary.stderr.contains("no torsion data"), "{summary:?}");
+    assert!(!summary.good().contains("torsion"), "no row of it");
+}
+
 #[test]
 fn what_is_not_there_is_said_so() {
     let message = run(&["modes", "tm476"]).refused();

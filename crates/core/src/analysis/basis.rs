@@ -154,7 +154,7 @@ pub(super) fn converged(
     work: &Work,
 ) -> Result<Converged, Faults> {
     Converged::new(blade, dof, wanted, rules, work)
-        .map_err(|cause| super::unsolvable(SolveError { dofs: system(dof).dofs, cause }))
+        .map_err(|cause| super::unsolvable(SolveError { dofs: system(blade, dof).dofs, cause }))
 }
 
 pub(super) fn solve(matrices: &SystemMatrices, speed: f64, count: usize) -> Result<Vec<Mode>, Faults> {

@@ -2,6 +2,7 @@
 
 use super::coupled_fan::coupled_at;
 use super::fitted::fitted;
+use super::model::turning;
 use super::{ModelKind, Settings, frequency};
 use crate::blade::Blade;
 use crate::fault::Faults;
@@ -29,7 +30,8 @@ pub fn compare(blade: &Blade, points: &[MeasuredPoint], settings: &Settings) -> 
         let asked: Vec<(Label, f64)> = points.iter().map(|point| (point.label, point.speed_rad_s)).collect();
         computed = coupled_at(blade, &asked, settings)?;
     }
-    for dof in settings.ordered_dofs().filter(|_| model == ModelKind::Uncoupled) {
+    let blade = &*turning(blade, settings)?;
+    for dof in settings.dofs_of(blade)?.into_iter().filter(|_| model == ModelKind::Uncoupled) {
         let branch = |point: &MeasuredPoint| {
             let Label { dof: own, number, .. } = point.label;
             (own == dof && number <= settings.modes).then(|| number.checked_sub(1))?

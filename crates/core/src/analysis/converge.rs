@@ -2,7 +2,7 @@
 
 use super::basis::{Basis, Classical, converged, separated, solve};
 use super::coupled_converge::coupled_converge;
-use super::model::uncoupled;
+use super::model::{turning, uncoupled};
 use super::{ModelKind, Settings, available, note, note_bounds, note_fewer, unsolvable, warnings};
 use crate::blade::Blade;
 use crate::converged::{Converged, TOLERANCE, Wanted, Work};
@@ -33,19 +33,20 @@ pub fn converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Fa
     if settings.model_for(blade) == ModelKind::Coupled {
         return coupled_converge(blade, settings);
     }
+    let blade = &*turning(blade, settings)?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
     let mut report = ConvergeReport {
         schema: "bladefan-converge/1",
         blade: blade.name().to_string(),
         speed_rad_s: speed,
-        model: uncoupled(blade),
+        model: uncoupled(blade, settings),
         functions: (1..=settings.up_to).collect(),
         series: Vec::new(),
         warnings: warnings(blade),
     };
     let square = speed * speed;
-    for dof in settings.ordered_dofs() {
+    for dof in settings.dofs_of(blade)? {
         let matrices = Classical::new(blade, dof, settings.up_to, &rules, false).matrices;
         let mut values = vec![Vec::with_capacity(settings.up_to); settings.modes];
         for &count in &report.functions {
@@ -94,7 +95,7 @@ fn piecewise_steps(
     let work = Work::default();
     for order in 1..=MOST_ORDER {
         let before = work.left();
-        let cause = |cause| unsolvable(SolveError { dofs: system(dof).dofs, cause });
+        let cause = |cause| unsolvable(SolveError { dofs: system(blade, dof).dofs, cause });
         let found = Converged::with_order(blade, dof, speed * speed, count, order, rules, &work).map_err(cause)?;
         let modes = available(found.matrices(), speed * speed, count).map_err(unsolvable)?;
         let done = found.error() <= TOLERANCE && modes.len() == count;

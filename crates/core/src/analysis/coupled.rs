@@ -1,14 +1,15 @@
 //! Frequencies of a coupled blade at one speed.
 
+use super::model::THIN;
 use super::{Settings, margin};
-use crate::blade::{Blade, Property};
+use crate::blade::{Blade, PropellerMoment, Property};
 use crate::coupled::{
     self, Classical, CoupledBlade, CoupledMode, CoupledModes, Functions, Impossible, Missing, Options, TOLERANCE,
 };
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode, Faults, Warning};
 use crate::figures::short;
-use crate::functions::BasisFamily;
+use crate::functions::{AssumedFunctions, BasisFamily, ClassicalTorsion, TorsionRoot};
 use crate::label::Label;
 use crate::lagrange::classical_functions;
 use crate::modes::SolveError;
@@ -17,6 +18,7 @@ use crate::numerics::quadrature::GaussRules;
 use crate::numerics::scalar::{is_above, maximum, sqrt};
 use crate::report::{BasisReport, CoupledModeReport, CoupledModesReport, FunctionCounts, ModelReport, Shares};
 use crate::units;
+use alloc::boxed::Box;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec;
@@ -24,6 +26,9 @@ use alloc::vec::Vec;
 
 /// A mode is mixed where no motion has this share.
 const LEADING: f64 = 0.6;
+/// Precone above which Coriolis terms matter [rad], where first flap and lag are this near, as a share.
+const CONED: f64 = 0.035;
+const NEAR: f64 = 0.1;
 /// λ within this of 0, as a share of ρ or of the highest λ, is the rounding of a rigid motion.
 const NOTHING: f64 = 1e-12;
 
@@ -33,14 +38,26 @@ const NOTHING: f64 = 1e-12;
 /// Faults in the settings, inertias that are impossible, or equations without an answer.
 pub fn coupled_modes(blade: &Blade, settings: &Settings) -> Result<CoupledModesReport, Faults> {
     settings.check()?;
+    if settings.basis == BasisFamily::Classical {
+        settings.still()?;
+    }
     let (coupled, model, mut warnings) = model(blade, settings)?;
     let speed = settings.speed_or(blade.nominal_speed());
     let (square, count, rules) = (speed * speed, settings.coupled_modes, GaussRules::new());
     let found = coupled::modes(&coupled, square, count, &rules).map_err(unsolvable)?;
+    let turned = (settings.gyroscopic && speed > 0.0)
+        .then(|| coupled::turning_modes(&coupled, speed, count, &rules).map_err(unturnable))
+        .transpose()?;
     note(&mut warnings, &found.modes, count);
+    note_coning(&mut warnings, &model, &found.modes);
     let functions = paper_functions(blade, settings.functions);
     let paper = Classical::new(&coupled, &functions, &rules);
     let by_paper = paper.modes(square, count, found.proven.as_ref()).map_err(unsolvable)?.modes;
+    // The paper's functions stand beside the converged ones without Coriolis terms.
+    let (found, by_paper) = match turned {
+        Some(turned) => (turned, Vec::new()),
+        None => (found, by_paper),
+    };
     let (shown, counts) = match settings.basis {
         BasisFamily::Piecewise => (&found.modes, found.functions),
         BasisFamily::Classical => (&by_paper, paper.counts()),
@@ -64,7 +81,7 @@ pub fn coupled_modes(blade: &Blade, settings: &Settings) -> Result<CoupledModesR
         blade: blade.name().to_string(),
         speed_rad_s: speed,
         model,
-        basis: BasisReport { family: settings.basis, functions: FunctionCounts::of_all(counts) },
+        basis: BasisReport { family: settings.basis, functions: FunctionCounts::of(blade.dofs(), counts) },
         classical_functions: settings.functions,
         modes,
         warnings,
@@ -84,7 +101,14 @@ pub(super) fn frequency_of(eigenvalue: f64, rigid: f64) -> Option<f64> {
 
 /// The paper's functions of all three motions.
 pub(super) fn paper_functions(blade: &Blade, count: usize) -> Functions {
-    Dof::ALL.map(|dof| classical_functions(blade, dof, count))
+    let of = |dof| -> Box<dyn AssumedFunctions> {
+        if blade.dofs().contains(&dof) {
+            classical_functions(blade, dof, count)
+        } else {
+            Box::new(ClassicalTorsion::new(TorsionRoot::Clamped, 0, 1.0))
+        }
+    };
+    Dof::ALL.map(of)
 }
 
 fn mode_report(
@@ -159,6 +183,27 @@ pub(super) fn note(warnings: &mut Vec<Warning>, modes: &[CoupledMode], asked: us
     }
 }
 
+/// Says so where Coriolis terms matter and are left out: coning, and first flap and lag near one another.
+fn note_coning(warnings: &mut Vec<Warning>, model: &ModelReport, modes: &[CoupledMode]) {
+    let first = |dof: Dof| modes.iter().find(|mode| mode.shares[dof.index()] >= LEADING);
+    let (Some(flap), Some(lag)) = (first(Dof::Flap), first(Dof::Lag)) else { return };
+    let (low, high) = (flap.eigenvalue.min(lag.eigenvalue), flap.eigenvalue.max(lag.eigenvalue));
+    let near = low > 0.0 && low > (1.0 - NEAR) * (1.0 - NEAR) * high;
+    if !model.gyroscopic && model.precone_rad.abs() > CONED && near {
+        let message = "first flap and lag are near one another: with this precone Coriolis terms part them by per cents (--gyroscopic on)";
+        warnings.push(Warning { path: "rotor.precone".into(), message: message.into() });
+    }
+}
+
+/// What stands in the way of Coriolis terms.
+fn unturnable(cause: EigenError) -> Faults {
+    if cause != EigenError::NotPositiveDefinite {
+        return unsolvable(cause);
+    }
+    let rule = "needs a blade that is statically stable and held in every motion";
+    Fault::new(FaultCode::Option, "gyroscopic", Some("on".into()), rule, format!("{rule} (is on)")).into()
+}
+
 pub(super) fn unsolvable(cause: EigenError) -> Faults {
     let rule = "the coupled equations must have an answer";
     let message = SolveError { dofs: &Dof::ALL, cause }.to_string();
@@ -167,6 +212,7 @@ pub(super) fn unsolvable(cause: EigenError) -> Faults {
 
 /// The blade as the coupled equations see it, what acts, and what its author should know.
 pub(super) fn model(blade: &Blade, settings: &Settings) -> Result<(CoupledBlade, ModelReport, Vec<Warning>), Faults> {
+    settings.dofs_of(blade)?;
     let mut warnings = blade.warnings().to_vec();
     let known = blade.gives(Property::AxialStiffness) || blade.gives(Property::TrapezeRadius);
     if settings.trapeze == Some(true) && !known {
@@ -176,23 +222,25 @@ pub(super) fn model(blade: &Blade, settings: &Settings) -> Result<(CoupledBlade,
         );
     }
     let on = settings.trapeze.unwrap_or(known);
-    if !known {
+    if !known && blade.has_torsion() {
         let message = "no axial stiffness: without trapeze 1T may be 2.5 % low".into();
         warnings.push(Warning { path: "distribution.axial_stiffness".into(), message });
     }
-    if !blade.inertias_given() {
-        let message = "taken for a thin section: all of it in the chord plane".into();
-        warnings.push(Warning { path: "distribution.polar_inertia".into(), message });
+    if !blade.inertias_given() && blade.has_torsion() {
+        warnings.push(Warning { path: "distribution.polar_inertia".into(), message: THIN.into() });
     }
+    let paper_moment = settings.propeller_moment == Some(PropellerMoment::Paper);
     let options = Options {
         pitch: settings.pitch,
         precone: settings.precone,
         trapeze: on,
         rotary: settings.rotary,
-        paper_moment: settings.paper_moment,
+        paper_moment,
     };
     let coupled = CoupledBlade::new(blade, &options);
-    possible(&coupled)?;
+    if blade.has_torsion() {
+        possible(&coupled)?;
+    }
     let unused = if blade.inertias_given() && blade.gives(Property::PolarInertia) {
         vec!["distribution.polar_inertia".into()]
     } else {
@@ -204,10 +252,10 @@ pub(super) fn model(blade: &Blade, settings: &Settings) -> Result<(CoupledBlade,
         precone_rad: coupled.precone,
         trapeze: on,
         rotary: settings.rotary,
-        gyroscopic: false,
+        gyroscopic: settings.gyroscopic,
         steady: false,
         cone: "held",
-        propeller_moment: if settings.paper_moment { "paper" } else { "full" },
+        propeller_moment: if paper_moment { "paper" } else { "full" },
         unused,
         words: String::new(),
     };

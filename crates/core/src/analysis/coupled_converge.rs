@@ -17,6 +17,7 @@ use alloc::vec::Vec;
 /// # Errors
 /// Faults in the settings, inertias that are impossible, or equations without an answer.
 pub(super) fn coupled_converge(blade: &Blade, settings: &Settings) -> Result<ConvergeReport, Faults> {
+    settings.still()?;
     let (coupled, model, mut warnings) = model(blade, settings)?;
     let speed = settings.speed_or(blade.nominal_speed());
     let (square, count, rules) = (speed * speed, settings.coupled_modes, GaussRules::new());

@@ -31,6 +31,7 @@ const NOTHING: f64 = 1e-12;
 /// # Errors
 /// Faults in the settings, inertias that are impossible, or equations without an answer.
 pub(super) fn coupled_fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
+    settings.still()?;
     let (coupled, model, mut warnings) = model(blade, settings)?;
     let nominal = blade.nominal_speed();
     let drawn = settings.speeds_or(nominal);
@@ -49,7 +50,10 @@ pub(super) fn coupled_fan(blade: &Blade, settings: &Settings) -> Result<FanChart
         blade: blade.name().to_string(),
         blades: blade.blades(),
         harmonics: settings.harmonics,
-        basis: BasisReport { family: BasisFamily::Piecewise, functions: FunctionCounts::of_all(range.functions()) },
+        basis: BasisReport {
+            family: BasisFamily::Piecewise,
+            functions: FunctionCounts::of(blade.dofs(), range.functions()),
+        },
         speeds_rad_s: speeds,
         crossings: Vec::new(),
         coincident: Vec::new(),
@@ -73,6 +77,7 @@ pub(super) fn coupled_at(
     points: &[(Label, f64)],
     settings: &Settings,
 ) -> Result<Vec<Option<f64>>, Faults> {
+    settings.still()?;
     let (coupled, ..) = model(blade, settings)?;
     let highest = points.iter().map(|point| point.1).fold(blade.nominal_speed(), f64::max);
     let range =

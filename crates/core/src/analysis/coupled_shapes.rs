@@ -25,6 +25,7 @@ use alloc::vec::Vec;
 /// Faults in the settings, inertias that are impossible, or equations without an answer.
 pub fn coupled_shapes(blade: &Blade, settings: &Settings) -> Result<CoupledShapesReport, Faults> {
     settings.check()?;
+    settings.still()?;
     let (coupled, model, warnings) = model(blade, settings)?;
     let speed = settings.speed_or(blade.nominal_speed());
     let r_m = radii(blade, settings);
@@ -73,7 +74,7 @@ pub fn coupled_shapes(blade: &Blade, settings: &Settings) -> Result<CoupledShape
         blade: blade.name().to_string(),
         speed_rad_s: speed,
         model,
-        basis: BasisReport { family: settings.basis, functions: FunctionCounts::of_all(functions) },
+        basis: BasisReport { family: settings.basis, functions: FunctionCounts::of(blade.dofs(), functions) },
         r_m,
         radius_m: blade.radius(),
         shapes,

@@ -3,7 +3,7 @@
 use super::basis::solve;
 use super::coupled_fan::coupled_fan;
 use super::fitted::{Fitted, fitted};
-use super::model::uncoupled;
+use super::model::{turning, uncoupled};
 use super::{ModelKind, Settings, frequency, margin, note, note_crossings, note_fewer, warnings};
 use crate::blade::Blade;
 use crate::fan::meet_rays;
@@ -24,6 +24,7 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
     if settings.model_for(blade) == ModelKind::Coupled {
         return coupled_fan(blade, settings);
     }
+    let blade = &*turning(blade, settings)?;
     let rules = GaussRules::new();
     let nominal = blade.nominal_speed();
     let range = settings.speeds_or(nominal);
@@ -40,10 +41,10 @@ pub fn fan(blade: &Blade, settings: &Settings) -> Result<FanChart, Faults> {
         coincident: Vec::new(),
         nominal: Nominal { speed_rad_s: nominal, margins: Vec::new() },
         warnings: warnings(blade),
-        model: uncoupled(blade),
+        model: uncoupled(blade, settings),
         veerings: Vec::new(),
     };
-    for dof in settings.ordered_dofs() {
+    for dof in settings.dofs_of(blade)? {
         // From rest, where the Southwell coefficients are taken, past nominal speed.
         let squares = (range.from * range.from, range.to * range.to);
         let found = fitted(blade, dof, settings, squares, highest * highest, &rules)?;

@@ -1,8 +1,11 @@
 //! What is solved: the model in words, and what of a blade it does not use.
 
-use crate::blade::{Blade, PointMass, Property, SpringAngle};
-use crate::fault::Warning;
+use super::Settings;
+use crate::blade::{Blade, PointMass, PropellerMoment, Property, Racket, SpringAngle};
+use crate::fault::{Fault, FaultCode, Faults, Warning};
+use crate::figures::short;
 use crate::report::ModelReport;
+use alloc::borrow::Cow;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -13,12 +16,15 @@ pub struct Model {
     words: &'static str,
     /// Properties of which something does not act, and what to say where they are not 0.
     remarks: &'static [(Property, Use, &'static str)],
-    /// Whether pitch, precone, torque offset, the angle of the springs and point masses do not act.
+    /// Whether pitch, precone, torque offset and the angle of the springs do not act, and the offset of a point mass
+    /// in torsion only.
     ignores_pose: bool,
 }
 
 const NOT_USED: &str = "not used by the uncoupled solver";
 const IN_TORSION: &str = "acts in torsion only";
+/// What polar inertia alone is to the full propeller moment.
+pub(super) const THIN: &str = "taken for a thin section: all of it in the chord plane";
 
 /// How much of a property acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,8 +36,26 @@ enum Use {
 }
 
 impl Model {
+    /// Flap, lag and torsion apart, with the paper's propeller moment.
+    pub const UNCOUPLED: Self = Self::uncoupled(PropellerMoment::Paper);
+
     /// Flap, lag and torsion apart.
-    pub const UNCOUPLED: Self = Self {
+    pub const fn uncoupled(moment: PropellerMoment) -> Self {
+        match moment {
+            PropellerMoment::Paper => Self::PAPER,
+            PropellerMoment::Full => Self {
+                words: "uncoupled, in vacuum, zero pitch, no rotary inertia, no trapeze, full propeller moment",
+                ..Self::PAPER
+            },
+        }
+    }
+
+    /// The uncoupled model with what settings ask for.
+    pub fn of(settings: &Settings) -> Self {
+        Self::uncoupled(settings.propeller_moment.unwrap_or(PropellerMoment::Paper))
+    }
+
+    const PAPER: Self = Self {
         words: "uncoupled, in vacuum, zero pitch, no rotary inertia, no trapeze, the paper's torsion term",
         remarks: &[
             (Property::FlapInertia, Use::InSum, NOT_USED),
@@ -57,10 +81,14 @@ impl Model {
 
     /// What of a blade does not act, or not as its author may expect, because of the model.
     pub fn unused(&self, blade: &Blade) -> Vec<Warning> {
+        let full = blade.racket() != Racket::Paper;
+        let partly = if blade.has_torsion() { IN_TORSION } else { NOT_USED };
         let acts = |property: Property| blade.property(property).values().iter().any(|&value| value != 0.0);
         let remarks = self.remarks.iter().filter(|(property, ..)| acts(*property));
         let of_properties = remarks.map(|&(property, how, message)| {
-            let in_sum = how == Use::InSum && !blade.gives(Property::PolarInertia);
+            let unused = how == Use::Partly && (full || !blade.has_torsion());
+            let message = if unused { NOT_USED } else { message };
+            let in_sum = how == Use::InSum && (!blade.gives(Property::PolarInertia) || full);
             (format!("distribution.{}", property.key()), if in_sum { IN_TORSION } else { message })
         });
         let mut told: Vec<(String, &str)> = Vec::new();
@@ -68,9 +96,12 @@ impl Model {
             told.extend(pose(blade).map(|path| (path.into(), NOT_USED)));
         }
         told.extend(of_properties);
-        let heavy = |mass: &PointMass| mass.mass != 0.0 || mass.flap_inertia != 0.0 || mass.lag_inertia != 0.0;
-        if self.ignores_pose && blade.point_masses().iter().any(heavy) {
-            told.push(("point_mass".into(), "does not act in the uncoupled model"));
+        if full && !blade.inertias_given() && blade.has_torsion() {
+            told.push(("distribution.polar_inertia".into(), THIN));
+        }
+        let offset = |mass: &PointMass| mass.offset != 0.0 && mass.mass != 0.0;
+        if self.ignores_pose && blade.point_masses().iter().any(offset) {
+            told.push(("point_mass.offset".into(), partly));
         }
         told.into_iter().map(|(path, message)| Warning { path, message: message.to_string() }).collect()
     }
@@ -108,9 +139,25 @@ fn pose(blade: &Blade) -> impl Iterator<Item = &'static str> {
 pub const MODEL: &str = Model::UNCOUPLED.words();
 
 /// The uncoupled model of a blade.
-pub(super) fn uncoupled(blade: &Blade) -> ModelReport {
-    let unused = Model::UNCOUPLED.unused(blade).into_iter().map(|warning| warning.path).collect();
-    ModelReport::uncoupled(MODEL, unused)
+pub(super) fn uncoupled(blade: &Blade, settings: &Settings) -> ModelReport {
+    let unused = warnings(blade).into_iter().skip(blade.warnings().len()).map(|warning| warning.path).collect();
+    ModelReport::uncoupled(Model::of(settings).words(), settings.propeller_moment, unused)
+}
+
+/// A blade as the uncoupled model takes it: with the propeller moment of the settings.
+///
+/// # Errors
+/// Inertias of no section, of which the full moment would be made.
+pub(super) fn turning<'a>(blade: &'a Blade, settings: &Settings) -> Result<Cow<'a, Blade>, Faults> {
+    if settings.propeller_moment != Some(PropellerMoment::Full) {
+        return Ok(Cow::Borrowed(blade));
+    }
+    let fault = |r: f64| {
+        let rule = "must be at least flap_inertia less lag_inertia with the full propeller moment";
+        let message = format!("polar inertia {rule} (at r = {} m it is not)", short(r, 4));
+        Fault::new(FaultCode::OutOfRange, "distribution.polar_inertia", None, rule, message).into()
+    };
+    blade.with_full_propeller_moment().map(Cow::Owned).map_err(fault)
 }
 
 /// The warnings of every result: the blade's own, then what the model does not use of it.
@@ -177,7 +224,7 @@ mod tests {
             .with_precone(0.1)
             .with_torque_offset(0.1)
             .with_spring_angle(SpringAngle::Pitch)
-            .with_point_mass(PointMassDefinition::new(1.0, 2.0))
+            .with_point_mass(PointMassDefinition::new(1.0, 2.0).with_offset(0.1))
             .with(Property::FlapInertia, 0.1)
             .with(Property::LagInertia, 0.1)
             .with(Property::TensionOffset, -0.1)
@@ -191,7 +238,7 @@ mod tests {
             "distribution.lag_inertia: not used by the uncoupled solver",
             "distribution.tension_offset: not used by the uncoupled solver",
             "distribution.trapeze_radius: not used by the uncoupled solver",
-            "point_mass: does not act in the uncoupled model",
+            "point_mass.offset: acts in torsion only",
         ];
         assert_eq!(told(&all), expected);
         let stiff = blade().with(Property::AxialStiffness, 5e8);
@@ -208,9 +255,37 @@ mod tests {
         assert_eq!(told(&given), expected);
         assert!(!Model::UNCOUPLED.uses(Property::FlapInertia), "its stations are those of the sum");
         assert_eq!(
-            crate::modes(&check(&given).unwrap(), &crate::Settings::default()).unwrap().modes,
-            crate::modes(&check(&blade()).unwrap(), &crate::Settings::default()).unwrap().modes,
+            crate::modes(&check(&given).unwrap(), &Settings::default()).unwrap().modes,
+            crate::modes(&check(&blade()).unwrap(), &Settings::default()).unwrap().modes,
         );
+    }
+
+    #[test]
+    fn the_full_propeller_moment_uses_inertias_that_a_section_can_have() {
+        let full = Settings { propeller_moment: Some(PropellerMoment::Full), ..Settings::default() };
+        let turned = |given: &BladeDefinition| turning(&check(given).unwrap(), &full).map(Cow::into_owned);
+        let told = |given: &BladeDefinition| -> Vec<String> {
+            warnings(&turned(given).unwrap()).iter().map(ToString::to_string).collect()
+        };
+        let thin = "distribution.polar_inertia: taken for a thin section: all of it in the chord plane";
+        assert_eq!(told(&blade()), [thin]);
+        let both = |flap: f64, lag: f64| blade().with(Property::FlapInertia, flap).with(Property::LagInertia, lag);
+        let expected =
+            ["distribution.flap_inertia: acts in torsion only", "distribution.lag_inertia: acts in torsion only"];
+        assert_eq!(told(&both(0.75, 0.25)), expected);
+        for (flap, lag, racket) in [(0.25, 0.75, Racket::Flat), (0.75, 0.25, Racket::Steep), (1.0, 0.0, Racket::Steep)]
+        {
+            assert_eq!(turned(&both(flap, lag)).unwrap().racket(), racket);
+        }
+        let message = "distribution.polar_inertia: polar inertia must be at least flap_inertia less lag_inertia with \
+                       the full propeller moment (at r = 0 m it is not)";
+        assert_eq!(turned(&both(1.5, 0.25)).unwrap_err().to_string(), message);
+        assert!(
+            crate::modes(&check(&both(1.5, 0.25)).unwrap(), &Settings::default()).is_ok(),
+            "the paper's needs none"
+        );
+        assert_eq!(Model::of(&full).words(), "uncoupled, in vacuum, zero pitch, full propeller moment");
+        assert_eq!(Model::of(&Settings::default()), Model::UNCOUPLED);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Frequencies at one speed.
 
 use super::basis::{Basis, Classical, converged, separated, solve};
-use super::model::uncoupled;
+use super::model::{turning, uncoupled};
 use super::{Settings, available, margin, note, note_bounds, note_fewer, unsolvable, warnings};
 use crate::blade::Blade;
 use crate::converged::{Wanted, Work};
@@ -24,6 +24,7 @@ use alloc::vec::Vec;
 pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Faults> {
     settings.check()?;
     settings.uncoupled()?;
+    let blade = &*turning(blade, settings)?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
     let square = speed * speed;
@@ -31,13 +32,13 @@ pub fn modes(blade: &Blade, settings: &Settings) -> Result<ModesReport, Faults> 
         schema: "bladefan-modes/1",
         blade: blade.name().to_string(),
         speed_rad_s: speed,
-        model: uncoupled(blade),
+        model: uncoupled(blade, settings),
         basis: BasisReport { family: settings.basis, functions: FunctionCounts::default() },
         classical_functions: settings.functions,
         modes: Vec::new(),
         warnings: warnings(blade),
     };
-    for dof in settings.ordered_dofs() {
+    for dof in settings.dofs_of(blade)? {
         let for_bounds = settings.basis == BasisFamily::Classical;
         let paper = Classical::new(blade, dof, settings.functions, &rules, for_bounds);
         // One mode more than asked for separates the last one from the rest.

@@ -1,7 +1,7 @@
 //! Options of every command, one plain struct: defaults, reading from text, checks.
 
 use super::model::couples;
-use crate::blade::Blade;
+use crate::blade::{Blade, PropellerMoment};
 use crate::dof::Dof;
 use crate::fault::{Fault, FaultCode, Faults};
 use crate::figures::Shortest;
@@ -71,7 +71,8 @@ pub struct Settings {
     pub speeds: Option<SpeedRange>,
     /// Modes per degree of freedom. 5: what the paper's charts show.
     pub modes: usize,
-    /// Degrees of freedom, each at most once; results keep the order flap, lag, torsion.
+    /// Degrees of freedom, each at most once; results keep the order flap, lag, torsion. All three are those that the
+    /// blade has; one of fewer that it does not have is a fault.
     pub dofs: Vec<Dof>,
     /// Family of assumed functions.
     pub basis: BasisFamily,
@@ -100,8 +101,10 @@ pub struct Settings {
     pub trapeze: Option<bool>,
     /// Whether sections have rotary inertia in bending; coupled.
     pub rotary: bool,
-    /// Whether the propeller moment is the paper's, m Y², in place of I₂ − I₁; coupled.
-    pub paper_moment: bool,
+    /// Whether Coriolis terms act; coupled modes at one speed.
+    pub gyroscopic: bool,
+    /// Which propeller moment acts; `None`: the full one in the coupled model, the paper's in the uncoupled one.
+    pub propeller_moment: Option<PropellerMoment>,
 }
 
 /// Whether flap, lag and torsion feel one another.
@@ -133,7 +136,8 @@ impl Default for Settings {
             precone: None,
             trapeze: None,
             rotary: true,
-            paper_moment: false,
+            gyroscopic: false,
+            propeller_moment: None,
         }
     }
 }
@@ -191,7 +195,7 @@ impl Settings {
                     _ => self.precone = Some(angle),
                 }
             }
-            "trapeze" | "rotary" => {
+            "trapeze" | "rotary" | "gyroscopic" => {
                 let on = match text {
                     "on" => true,
                     "off" => false,
@@ -199,12 +203,13 @@ impl Settings {
                 };
                 match name {
                     "trapeze" => self.trapeze = Some(on),
+                    "gyroscopic" => self.gyroscopic = on,
                     _ => self.rotary = on,
                 }
             }
             "propeller_moment" => match text {
-                "full" => self.paper_moment = false,
-                "paper" => self.paper_moment = true,
+                "full" => self.propeller_moment = Some(PropellerMoment::Full),
+                "paper" => self.propeller_moment = Some(PropellerMoment::Paper),
                 _ => return refuse("must be full or paper"),
             },
             "band" => match parse_band(text) {
@@ -252,6 +257,12 @@ impl Settings {
         let coupled = |blade| couples(blade, self.pitch, self.precone);
         let by_blade = || if coupled(blade) { ModelKind::Coupled } else { ModelKind::Uncoupled };
         self.model.unwrap_or_else(by_blade)
+    }
+
+    /// Refuses Coriolis terms where a question is without them.
+    pub(super) fn still(&self) -> Result<(), Faults> {
+        let rule = "acts in modes at one speed, with piecewise functions";
+        if self.gyroscopic { Err(option_fault("gyroscopic", "on", rule).into()) } else { Ok(()) }
     }
 
     /// Refuses the coupled model where a question is of the uncoupled one.
@@ -322,9 +333,18 @@ impl Settings {
         self.speeds.unwrap_or(SpeedRange { from: 0.0, to: 1.2 * nominal, count: 101 })
     }
 
-    /// The degrees of freedom asked for, in the order of results.
-    pub fn ordered_dofs(&self) -> impl Iterator<Item = Dof> + '_ {
-        Dof::ALL.into_iter().filter(|dof| self.dofs.contains(dof))
+    /// The degrees of freedom asked for that a blade has, in the order of results.
+    ///
+    /// # Errors
+    /// Torsion, asked for by itself, of a blade without torsion data.
+    pub(super) fn dofs_of(&self, blade: &Blade) -> Result<Vec<Dof>, Faults> {
+        let asked = |dof: &&Dof| self.dofs.contains(dof);
+        if self.dofs.contains(&Dof::Torsion) && self.dofs.len() < Dof::ALL.len() && !blade.has_torsion() {
+            let rule = "needs torsion data of the blade: [torsion], torsion_stiffness and polar_inertia";
+            let message = format!("torsion {rule}");
+            return Err(Fault::new(FaultCode::Missing, "dof", Some("torsion".into()), rule, message).into());
+        }
+        Ok(blade.dofs().iter().filter(asked).copied().collect())
     }
 }
 

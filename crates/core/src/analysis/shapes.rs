@@ -1,7 +1,7 @@
 //! Mode shapes along the span.
 
 use super::basis::{Basis, solve};
-use super::model::uncoupled;
+use super::model::{turning, uncoupled};
 use super::{Settings, ShapeScale, note, note_fewer, warnings};
 use crate::blade::Blade;
 use crate::converged::{Wanted, Work};
@@ -30,6 +30,7 @@ pub(super) fn radii(blade: &Blade, settings: &Settings) -> Vec<f64> {
 pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Faults> {
     settings.check()?;
     settings.uncoupled()?;
+    let blade = &*turning(blade, settings)?;
     let rules = GaussRules::new();
     let speed = settings.speed_or(blade.nominal_speed());
     let (radius, radii) = (blade.radius(), radii(blade, settings));
@@ -37,14 +38,14 @@ pub fn shapes(blade: &Blade, settings: &Settings) -> Result<ShapesReport, Faults
         schema: "bladefan-shapes/1",
         blade: blade.name().to_string(),
         speed_rad_s: speed,
-        model: uncoupled(blade),
+        model: uncoupled(blade, settings),
         basis: BasisReport { family: settings.basis, functions: FunctionCounts::default() },
         r_m: Vec::new(),
         radius_m: radius,
         shapes: Vec::new(),
         warnings: warnings(blade),
     };
-    for dof in settings.ordered_dofs() {
+    for dof in settings.dofs_of(blade)? {
         let basis =
             Basis::new(blade, dof, settings, &Wanted::at(speed * speed, settings.modes), &rules, &Work::default())?;
         report.basis.functions.set(dof, basis.count());

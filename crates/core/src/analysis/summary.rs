@@ -1,7 +1,7 @@
 //! Mass, inertia and static moments.
 
 use super::{Model, warnings};
-use crate::blade::{Blade, Property, RootCondition, moments};
+use crate::blade::{Blade, PointMass, Property, RootCondition, moments};
 use crate::dof::Dof;
 use crate::report::{BladeSummary, DofSummary};
 use alloc::string::ToString;
@@ -9,11 +9,17 @@ use alloc::vec::Vec;
 
 /// Mass, inertia and static moments of a blade.
 pub fn summary(blade: &Blade) -> BladeSummary {
-    let dofs = Dof::ALL.into_iter().map(|dof| {
+    let dofs = blade.dofs().iter().map(|&dof| {
         let root = blade.root(dof);
         let [mass, first, second] = moments(blade.mass(), root.offset, blade.radius());
         let torsion = dof == Dof::Torsion;
         let [polar, _, _] = moments(blade.polar_inertia(), root.offset, blade.radius());
+        // Those that act in this degree of freedom.
+        let masses = blade.point_masses().iter().filter(|mass| mass.r > root.offset);
+        let sum = |of: &dyn Fn(&PointMass) -> f64| masses.clone().map(of).sum::<f64>();
+        let (mass, polar) = (mass + sum(&|m| m.mass), polar + sum(&|m| m.flap_inertia + m.lag_inertia));
+        let first = first + sum(&|m| m.mass * (m.r - root.offset));
+        let second = second + sum(&|m| m.mass * (m.r - root.offset) * (m.r - root.offset));
         DofSummary {
             dof,
             root: match (root.condition, torsion) {

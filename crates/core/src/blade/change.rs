@@ -48,6 +48,15 @@ impl What {
         Self::all().find(|what| what.path() == path)
     }
 
+    /// Whether it exists with torsion alone.
+    fn is_of_torsion(self) -> bool {
+        match self {
+            Self::Property(property) => Property::OF_TORSION.contains(&property),
+            Self::Offset(dof) | Self::Spring(dof) => dof == Dof::Torsion,
+            Self::NominalSpeed => false,
+        }
+    }
+
     /// How many SI units one unit of it is.
     fn unit(self, units: Units) -> f64 {
         match self {
@@ -151,8 +160,13 @@ impl Change {
     }
 
     /// What is wrong with it; `path` is where it stands.
-    fn faults(&self, path: &str) -> Vec<Fault> {
+    fn faults(&self, path: &str, blade: &BladeDefinition) -> Vec<Fault> {
         let mut faults = Vec::new();
+        if self.what.is_of_torsion() && !blade.has_torsion() {
+            let (what, rule) = (self.what.path(), "needs a blade with torsion data");
+            let message = format!("{what} {rule}: this one has flap and lag alone");
+            faults.push(Fault::new(FaultCode::Missing, format!("{path}.what"), Some(what), rule, message));
+        }
         let mut refuse = |code, key: &str, value: Option<f64>, rule: &str| {
             let value = value.map(|value| value.to_string());
             let is = value.as_ref().map(|value| format!(" (is {value})")).unwrap_or_default();
@@ -211,9 +225,10 @@ pub struct Changed {
 /// optional property may be set; what is faulty stays as it is. The blade is not checked.
 ///
 /// # Errors
-/// Changes that are none: paths are `changes[0].from` and the like.
+/// Changes that are none, and those of torsion where the blade has no torsion data: paths are `changes[0].from` and
+/// the like.
 pub fn change(definition: &BladeDefinition, changes: &[Change]) -> Result<Changed, Faults> {
-    let faults = changes.iter().enumerate().flat_map(|(i, change)| change.faults(&format!("changes[{i}]")));
+    let faults = changes.iter().enumerate().flat_map(|(i, change)| change.faults(&format!("changes[{i}]"), definition));
     faults.collect::<Faults>().none()?;
     let mut changed = Changed { blade: definition.clone(), notes: Vec::new() };
     for change in changes {

@@ -5,7 +5,7 @@ mod point_mass;
 mod pose;
 
 use super::definition::{BladeDefinition, RootDefinition, RootKind, RotorDefinition, Source};
-use super::model::{Blade, PointMass, Pose, Root, RootCondition};
+use super::model::{Blade, PointMass, Pose, Racket, Root, RootCondition};
 use super::property::Property;
 use super::range::Range;
 use crate::dof::Dof;
@@ -24,6 +24,9 @@ const NEAR: f64 = 1e-9;
 /// Beyond these, squares and products of a blade's numbers would not stay numbers.
 const RADIUS: Range = Range::positive(1e-6, 1e6, "m");
 const NOMINAL_SPEED: Range = Range::positive(1e-9, 1e9, "rad/s");
+/// What is missing of torsion where not all of it is.
+const TOGETHER: &str = "must be given, or [torsion], torsion_stiffness and the inertias be left out together";
+
 const SPRING: Range = Range::zero_or(1e-30, 1e30, "N·m/rad");
 
 /// Checks a definition and converts it to SI units.
@@ -32,7 +35,8 @@ const SPRING: Range = Range::zero_or(1e-30, 1e30, "N·m/rad");
 /// Every rule of the blade file that the definition breaks, in the order of the file's keys, each
 /// with its path and the value in the definition's own units.
 pub fn check(definition: &BladeDefinition) -> Result<Blade, Faults> {
-    let mut checker = Checker { units: definition.units, faults: Vec::new(), warnings: Vec::new() };
+    let torsion = definition.has_torsion();
+    let mut checker = Checker { units: definition.units, torsion, faults: Vec::new(), warnings: Vec::new() };
     let name = definition.name.clone();
     if name.is_none() {
         checker.missing("name", "name of the blade");
@@ -45,9 +49,12 @@ pub fn check(definition: &BladeDefinition) -> Result<Blade, Faults> {
     let roots = [
         root(Dof::Flap, definition.flap.as_ref()),
         root(Dof::Lag, definition.lag.as_ref()),
-        root(Dof::Torsion, definition.torsion.as_ref()),
+        if torsion { root(Dof::Torsion, definition.torsion.as_ref()) } else { CheckedRoot::none(radius) },
     ];
     checker.turned_springs(definition.rotor.as_ref(), radius, &roots);
+    if !torsion {
+        checker.warn("torsion", "no torsion data: flap and lag alone");
+    }
     let properties = checker.distribution(definition.distribution.as_ref(), radius, &roots);
     let given = |property| definition.distribution.as_ref().is_some_and(|given| given[property].is_some());
     let span = Span {
@@ -81,6 +88,7 @@ fn assemble(
         properties: properties.try_into().ok()?,
         given: span.given,
         point_masses: span.point_masses,
+        racket: Racket::default(),
         warnings,
     })
 }
@@ -123,6 +131,11 @@ struct CheckedRoot {
 }
 
 impl CheckedRoot {
+    /// Of a degree of freedom that does not exist: clamped at the tip, it moves nothing.
+    const fn none(tip: Option<Length>) -> Self {
+        Self { offset: tip, condition: Some(RootCondition::Clamped) }
+    }
+
     fn root(&self) -> Option<Root> {
         Some(Root { offset: self.offset?.si, condition: self.condition? })
     }
@@ -130,6 +143,8 @@ impl CheckedRoot {
 
 struct Checker {
     units: Units,
+    /// Whether anything of torsion is given.
+    torsion: bool,
     faults: Vec<Fault>,
     warnings: Vec<Warning>,
 }
@@ -147,6 +162,11 @@ impl Checker {
 
     fn missing(&mut self, path: &str, subject: &str) {
         self.refuse(FaultCode::Missing, path, None, subject, "must be given");
+    }
+
+    /// What belongs to torsion is missing where something else of it is given.
+    fn missing_torsion(&mut self, path: &str, subject: &str) {
+        self.refuse(FaultCode::Missing, path, None, subject, TOGETHER);
     }
 
     fn warn(&mut self, path: &str, message: &str) {
@@ -225,7 +245,11 @@ impl Checker {
 
     fn root(&mut self, dof: Dof, given: Option<&RootDefinition>, radius: Option<Length>) -> CheckedRoot {
         let Some(given) = given else {
-            self.missing(dof.name(), &format!("{dof} root"));
+            let subject = format!("{dof} root");
+            match dof {
+                Dof::Torsion => self.missing_torsion(dof.name(), &subject),
+                Dof::Flap | Dof::Lag => self.missing(dof.name(), &subject),
+            }
             return CheckedRoot { offset: None, condition: None };
         };
         CheckedRoot { offset: self.offset(dof, given, radius), condition: self.condition(dof, given) }

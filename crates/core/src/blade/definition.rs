@@ -43,6 +43,13 @@ impl BladeDefinition {
         }
     }
 
+    /// Whether anything of torsion is given: its root, its stiffness or an inertia. Without all of it a blade has
+    /// flap and lag alone.
+    pub fn has_torsion(&self) -> bool {
+        let given = |property: &Property| self.distribution.as_ref().is_some_and(|given| given[*property].is_some());
+        self.torsion.is_some() || Property::OF_TORSION.iter().any(given)
+    }
+
     /// The same, to be changed.
     pub const fn root_mut(&mut self, dof: Dof) -> &mut Option<RootDefinition> {
         match dof {

@@ -21,7 +21,7 @@ pub use definition::{
     BladeDefinition, DistributionDefinition, PointMassDefinition, PropertyDefinition, RootDefinition, RootKind,
     RotorDefinition, Source, SpringAngle,
 };
-pub use model::{Blade, PointMass, Root, RootCondition};
+pub use model::{Blade, PointMass, PropellerMoment, Racket, Root, RootCondition};
 pub use property::Property;
 pub use section::{Place, Section, Stretch, stretches};
 pub use tension::moments;

@@ -8,6 +8,9 @@ use crate::numerics::PiecewiseLinear;
 use alloc::string::String;
 use alloc::vec::Vec;
 
+/// By so little, relatively, may inertias contradict one another.
+const NEAR: f64 = 1e-9;
+
 /// How a root is held, as the equations see it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RootCondition {
@@ -28,7 +31,7 @@ pub struct Root {
     pub condition: RootCondition,
 }
 
-/// A mass at one radius. It acts in every degree of freedom whose root is not outboard of it.
+/// A mass at one radius. It acts in every degree of freedom whose root is inboard of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointMass {
     /// Radius, from the least root offset to the tip radius [m].
@@ -53,8 +56,32 @@ pub(super) struct Pose {
     pub(super) spring_angle: SpringAngle,
 }
 
+/// What the rotor's turning does to the twist of a blade: it turns sections flat.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PropellerMoment {
+    /// I₂ − I₁, of the moments of inertia of a section about the elastic axis in and out of its chord plane.
+    Full,
+    /// m Y² of the offset of the mass centre alone: the paper's (77).
+    Paper,
+}
+
+/// The same, with what the signs of the full one are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Racket {
+    /// That of the paper.
+    #[default]
+    Paper,
+    /// The full one, negative nowhere.
+    Flat,
+    /// The full one, negative somewhere: there the extent out of the chord plane is the larger.
+    Steep,
+}
+
 /// A blade that passed every check, in SI units. Each stiffness covers the span of its degree of
 /// freedom, mass that of flap and lag, and so on; the solver relies on it.
+///
+/// One [without torsion](Self::has_torsion) has its root of torsion clamped at the tip, so that nothing of it twists,
+/// and no torsional stiffness or inertia.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Blade {
     pub(super) name: String,
@@ -67,6 +94,7 @@ pub struct Blade {
     /// Which properties the definition gives; the others are 0, or a sum of some that it gives.
     pub(super) given: [bool; Property::COUNT],
     pub(super) point_masses: Vec<PointMass>,
+    pub(super) racket: Racket,
     pub(super) warnings: Vec<Warning>,
 }
 
@@ -89,6 +117,16 @@ impl Blade {
     /// Number of blades, where given.
     pub fn blades(&self) -> Option<u32> {
         self.blades
+    }
+
+    /// Whether the definition gives anything of torsion; else flap and lag alone exist.
+    pub fn has_torsion(&self) -> bool {
+        self.gives(Property::TorsionStiffness)
+    }
+
+    /// The degrees of freedom that exist.
+    pub fn dofs(&self) -> &'static [Dof] {
+        if self.has_torsion() { &Dof::ALL } else { &[Dof::Flap, Dof::Lag] }
     }
 
     /// Root of a degree of freedom.
@@ -124,6 +162,44 @@ impl Blade {
     /// Masses that are not spread along the span, by ascending radius.
     pub fn point_masses(&self) -> &[PointMass] {
         &self.point_masses
+    }
+
+    /// The propeller moment that torsion feels by itself; [`Racket::Paper`] unless
+    /// [asked for](Self::with_full_propeller_moment).
+    pub(crate) fn racket(&self) -> Racket {
+        self.racket
+    }
+
+    /// The same blade with the full propeller moment.
+    ///
+    /// # Errors
+    /// A radius [m] at which the polar inertia is less than what the moment turns: the inertias of no section.
+    pub(crate) fn with_full_propeller_moment(&self) -> Result<Self, f64> {
+        let ([flap, lag], polar, root) = (self.inertias(), self.polar_inertia(), self.root(Dof::Torsion).offset);
+        let both = |property: &PiecewiseLinear, r: f64| <[f64; 2]>::from(property.limits(r));
+        let stations = [flap, lag, polar].into_iter().flat_map(PiecewiseLinear::stations).copied();
+        let mut steep = self.point_masses.iter().any(|mass| mass.flap_inertia > mass.lag_inertia);
+        for r in stations.filter(|r| *r > root && *r < self.radius).chain([root, self.radius]) {
+            // What lies inboard of the root and beyond the tip does not act.
+            let acts = |(side, _): &(usize, f64)| if *side == 0 { r > root } else { r < self.radius };
+            for (side, flap) in both(flap, r).into_iter().enumerate().filter(acts) {
+                let racket = both(lag, r)[side] - flap;
+                // Inertias that were rounded to be written are as good.
+                if racket + both(polar, r)[side] < -NEAR * flap {
+                    return Err(r);
+                }
+                steep |= racket < 0.0;
+            }
+        }
+        let racket = if steep { Racket::Steep } else { Racket::Flat };
+        Ok(Self { racket, ..self.clone() })
+    }
+
+    /// Moments of inertia per length about the elastic axis [kg·m] of a section's extents out of its chord plane
+    /// and in it: where polar inertia alone is given a thin section is meant, all of whose inertia is in the plane.
+    pub fn inertias(&self) -> [&PiecewiseLinear; 2] {
+        let lag = if self.inertias_given() { self.lag_inertia() } else { self.polar_inertia() };
+        [self.flap_inertia(), lag]
     }
 
     /// Whether flap and lag inertia are given; else a thin section is meant, all of whose polar

@@ -209,11 +209,14 @@ impl Property {
         (self.row().unit)(units)
     }
 
-    /// Whether a blade must give it, or what it is the [sum of](Self::sum_of); else it is 0 where it
+    /// Whether a blade with torsion must give it, or what it is the [sum of](Self::sum_of); else it is 0 where it
     /// does not.
     pub fn is_required(self) -> bool {
         self.row().required
     }
+
+    /// Without these, and a root of torsion, a blade has flap and lag alone.
+    pub const OF_TORSION: [Self; 4] = [Self::TorsionStiffness, Self::PolarInertia, Self::FlapInertia, Self::LagInertia];
 
     /// Properties of which it is the sum where a blade gives them and not it.
     pub fn sum_of(self) -> &'static [Self] {

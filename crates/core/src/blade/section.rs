@@ -1,6 +1,6 @@
 //! A blade section: every property at one radius, which is what the weight of a term sees.
 
-use super::Blade;
+use super::model::{Blade, PointMass};
 use super::tension::tension_inside;
 use crate::dof::Dof;
 use crate::numerics::{Linear, PiecewiseLinear};
@@ -17,10 +17,28 @@ pub struct Section {
     pub stiffness: [f64; 3],
     /// Polar mass moment of inertia per length ρI_p [kg·m].
     pub polar_inertia: f64,
+    /// I₂ − I₁ about the elastic axis, in and out of the chord plane [kg·m].
+    pub racket: f64,
     /// Mass centre ahead of the elastic axis Y [m].
     pub mass_offset: f64,
-    /// Tension per Ω², T = ∫ m ρ dρ from r to R [kg·m].
+    /// Tension per Ω², T = ∫ m ρ dρ from r to R, with the point masses there [kg·m].
     pub tension: f64,
+}
+
+impl Section {
+    /// A point mass as a section without stiffness and tension: its terms are those of a section, with mass [kg]
+    /// and inertia [kg·m²] in place of those per length.
+    pub fn of(mass: &PointMass) -> Self {
+        Self {
+            r: mass.r,
+            mass: mass.mass,
+            stiffness: [0.0; 3],
+            polar_inertia: mass.flap_inertia + mass.lag_inertia,
+            racket: mass.lag_inertia - mass.flap_inertia,
+            mass_offset: mass.offset,
+            tension: 0.0,
+        }
+    }
 }
 
 /// A part of the span within which every property is linear.
@@ -33,6 +51,7 @@ pub struct Stretch {
     mass: Linear,
     stiffness: [Linear; 3],
     polar_inertia: Linear,
+    inertias: [Linear; 2],
     mass_offset: Linear,
     /// The mass between the stretch's own ends, which its tension is summed from.
     own_mass: Linear,
@@ -68,6 +87,7 @@ impl Stretch {
             mass: linear(blade.mass()),
             stiffness: Dof::ALL.map(|dof| linear(blade.stiffness(dof))),
             polar_inertia: linear(blade.polar_inertia()),
+            inertias: blade.inertias().map(linear),
             mass_offset: linear(blade.mass_offset()),
             outboard,
         }
@@ -82,6 +102,7 @@ impl Stretch {
             mass: self.mass.at(r),
             stiffness: self.stiffness.map(|stiffness| stiffness.at(r)),
             polar_inertia: self.polar_inertia.at(r),
+            racket: self.inertias[1].at(r) - self.inertias[0].at(r),
             mass_offset: self.mass_offset.at(r),
             tension: self.outboard + tension_inside(self.own_mass.at(r), self.own_mass.at(self.to), r, self.to),
         }
@@ -94,15 +115,20 @@ impl Stretch {
     }
 }
 
-/// The stretches at `places`, from the root to the tip without gaps; none may straddle a station.
+/// The stretches at `places`, from the root to the tip without gaps; none may straddle a station or a point mass.
 pub fn stretches(blade: &Blade, places: &[Place]) -> Vec<Stretch> {
-    let mut outboard = 0.0;
+    // A point mass pulls at all that lies inboard of it.
+    let hung = |from: f64, to: f64| -> f64 {
+        let hung = blade.point_masses().iter().filter(|mass| mass.r >= from && mass.r < to);
+        hung.map(|mass| mass.mass * mass.r).sum()
+    };
+    let mut outboard = places.last().map_or(0.0, |last| hung(last.ends.1, f64::INFINITY));
     let mut found: Vec<Stretch> = places
         .iter()
         .rev()
         .map(|&place| {
             let stretch = Stretch::new(blade, place, outboard);
-            outboard = stretch.inboard();
+            outboard = stretch.inboard() + hung(place.ends.0, place.ends.1);
             stretch
         })
         .collect();
@@ -146,6 +172,21 @@ mod tests {
             let section = found[stretch].section(r);
             assert!((section.tension - tension).abs() < 1e-15, "{r}: {} {tension}", section.tension);
         }
+    }
+
+    /// A point mass pulls at what lies inboard of it, and not at itself.
+    #[test]
+    fn tension_steps_at_point_masses() {
+        let mut blade = tapered();
+        let mass = |r: f64, mass: f64| PointMass { r, mass, offset: 0.0, flap_inertia: 0.0, lag_inertia: 0.0 };
+        let places = [Place::whole(0.0, 1.0), Place::whole(1.0, 2.0)];
+        let at = |blade: &Blade| {
+            let found = stretches(blade, &places);
+            [(0, 0.0), (0, 1.0), (1, 1.0), (1, 2.0)].map(|(i, r): (usize, f64)| found[i].section(r).tension)
+        };
+        let bare = at(&blade);
+        blade.point_masses = alloc::vec![mass(1.0, 3.0), mass(2.0, 0.5)];
+        assert_eq!(at(&blade), [bare[0] + 4.0, bare[1] + 4.0, bare[2] + 1.0, 1.0]);
     }
 
     #[test]

@@ -31,6 +31,8 @@ pub(super) fn below(elements: &Elements, eigenvalue: f64, speed_squared: f64) ->
     let locals = elements.locals();
     let ones = vec![1.0; locals.iter().map(|element| element.weight.len()).max().unwrap_or(0)];
     for element in locals.iter().rev() {
+        // The first state is the displacement.
+        outboard.add(0, 0, -eigenvalue * element.lump);
         let displacements = displacements(element, states, &ones);
         let mut form = form(element, &displacements, eigenvalue, speed_squared);
         form.add_outboard(&outboard, &transfer(element, states));
@@ -187,17 +189,17 @@ impl Form {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::converged::tests::{converged, stepped};
+    use crate::converged::tests::{converged, laden, stepped};
     use crate::dof::Dof;
 
     /// Between each two of the eigenvalues that the iteration found there are as many as it says.
     #[test]
     fn eigenvalues_are_counted_without_being_solved_for() {
-        let blade = stepped();
-        for dof in Dof::ALL {
+        let blades = [stepped(), laden()];
+        for (blade, dof) in blades.iter().flat_map(|blade| Dof::ALL.map(|dof| (blade, dof))) {
             for speed in [0.0, 105.0] {
                 let square = speed * speed;
-                let found = converged(&blade, dof, square, 6);
+                let found = converged(blade, dof, square, 6);
                 let values: Vec<f64> =
                     crate::modes::solve(found.matrices(), square, 6).unwrap().iter().map(|m| m.eigenvalue).collect();
                 for (count, pair) in (1..).zip(values.windows(2)) {

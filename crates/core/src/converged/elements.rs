@@ -67,6 +67,8 @@ pub(super) struct Local<'a> {
     /// Centrifugal energy between its polynomials and a unit rotation, and of the rotation itself.
     pub(super) coupling: &'a [f64],
     pub(super) own: f64,
+    /// Inertia of the point masses at its outer end.
+    pub(super) lump: f64,
 }
 
 /// The fields of a clamped function at the points of the fine grid.
@@ -143,6 +145,14 @@ impl Elements {
                 coupling.push(half * sum);
             }
             own.push(centrifugal.iter().sum());
+            if let (Some(lump), Some(own)) = (panel.lump, own.last_mut()) {
+                // The outer end rotates with the inner one and by the first polynomial.
+                let (pull, reach) = (tensions[lump], panel.to - panel.from);
+                let first = coupling.len() - order;
+                of_centrifugal[start] += pull * reach * reach;
+                coupling[first] += pull * reach;
+                *own += pull;
+            }
         }
         (self.elastic, self.centrifugal, self.coupling, self.own) = (of_elastic, of_centrifugal, coupling, own);
     }
@@ -186,6 +196,7 @@ impl Elements {
             let order = self.mesh.orders()[e];
             let half = panel.half();
             let table = self.coarse.table(order);
+            let hung = panel.lump.map_or(0.0, |lump| force[lump]);
             let force = &force[panel.points.clone()];
             let f = &mut load[end - order..end];
             end -= order;
@@ -195,8 +206,10 @@ impl Elements {
                 for (j, entry) in f.iter_mut().enumerate() {
                     *entry = half * on(table.first(j));
                 }
-                on_rotation[e] = [total];
+                f[0] += 2.0 * half * hung;
+                on_rotation[e] = [total + hung];
             } else {
+                shear += hung;
                 for (j, entry) in f.iter_mut().enumerate() {
                     *entry = half * half * on(table.second(j));
                 }
@@ -279,7 +292,7 @@ impl Elements {
     pub(super) fn displacement(&self, coefficients: &[f64]) -> Vec<f64> {
         let mut displacement = vec![0.0; self.grid().len()];
         self.for_elements(&self.coarse, coefficients, |state| {
-            let out = &mut displacement[state.points.clone()];
+            let out = &mut displacement;
             if self.in_torsion() { state.rotation_of(out) } else { state.displacement_of(out) }
         });
         displacement
@@ -290,13 +303,12 @@ impl Elements {
         let points = self.fine_grid().len();
         let (mut displacement, mut rotation, mut strain) = (vec![0.0; points], vec![0.0; points], vec![0.0; points]);
         self.for_elements(&self.fine, coefficients, |state| {
-            let span = state.points.clone();
             for (j, &c) in state.coefficients.iter().enumerate() {
-                axpy(&mut strain[span.clone()], c, state.table.value(j));
+                axpy(&mut strain[state.points.clone()], c, state.table.value(j));
             }
-            state.rotation_of(&mut rotation[span.clone()]);
+            state.rotation_of(&mut rotation);
             if !self.in_torsion() {
-                state.displacement_of(&mut displacement[span]);
+                state.displacement_of(&mut displacement);
             }
         });
         if self.in_torsion() {
@@ -321,6 +333,7 @@ impl Elements {
                 centrifugal: &self.centrifugal[matrix],
                 coupling: &self.coupling[row],
                 own,
+                lump: panel.lump.map_or(0.0, |lump| self.grid().inertia()[lump]),
             }
         };
         self.grid().panels().iter().zip(self.mesh.orders()).zip(&self.own).map(one).collect()
@@ -333,10 +346,12 @@ impl Elements {
             let half = panel.half();
             let c = &coefficients[first..first + order];
             let table = at.table(order);
-            visit(&State { coefficients: c, table, half, rotation, displacement, points: panel.points.clone() });
             let next = c.get(1).copied().unwrap_or(0.0);
-            displacement += 2.0 * half * (rotation + half * (c[0] - next / 3.0));
-            rotation += 2.0 * half * c[0];
+            let outer =
+                (rotation + 2.0 * half * c[0], displacement + 2.0 * half * (rotation + half * (c[0] - next / 3.0)));
+            let (points, lump) = (panel.points.clone(), panel.lump);
+            visit(&State { coefficients: c, table, half, rotation, displacement, outer, points, lump });
+            (rotation, displacement) = outer;
             first += order;
         }
     }
@@ -382,18 +397,30 @@ struct State<'a> {
     /// Turn and displacement at its inner end.
     rotation: f64,
     displacement: f64,
+    /// The same at its outer end.
+    outer: (f64, f64),
+    /// Its points, and that of the point masses at its outer end.
     points: Range<usize>,
+    lump: Option<usize>,
 }
 
 impl State<'_> {
-    fn rotation_of(&self, out: &mut [f64]) {
+    fn rotation_of(&self, all: &mut [f64]) {
+        if let Some(lump) = self.lump {
+            all[lump] = self.outer.0;
+        }
+        let out = &mut all[self.points.clone()];
         out.fill(self.rotation);
         for (j, &c) in self.coefficients.iter().enumerate() {
             axpy(out, self.half * c, self.table.first(j));
         }
     }
 
-    fn displacement_of(&self, out: &mut [f64]) {
+    fn displacement_of(&self, all: &mut [f64]) {
+        if let Some(lump) = self.lump {
+            all[lump] = self.outer.1;
+        }
+        let out = &mut all[self.points.clone()];
         out.fill(self.displacement);
         axpy(out, self.half * self.rotation, self.table.first(0));
         for (j, &c) in self.coefficients.iter().enumerate() {

@@ -121,7 +121,7 @@ pub(super) fn first_layout(blade: &Blade, dof: Dof, speed_squared: f64, count: u
 fn pieces(blade: &Blade, dof: Dof) -> Vec<Piece> {
     let cut = segments(blade, dof, &taper_cuts(blade, dof));
     let places: Vec<Place> = cut.iter().map(|segment| Place::whole(segment.from, segment.to)).collect();
-    let weight = |energy, quantity| system(dof).weight(energy, Field { dof, quantity });
+    let weight = |energy, quantity| system(blade, dof).weight(energy, Field { dof, quantity });
     let inertia = weight(Energy::Inertia, Quantity::Displacement);
     let elastic = weight(Energy::Elastic, Quantity::Strain);
     let centrifugal = weight(Energy::Centrifugal, Quantity::Rotation);

@@ -136,6 +136,7 @@ impl<'a> Subspace<'a> {
             }
             let mut displacement = vec![0.0; self.elements.grid().len()];
             displacement[panel.points.clone()].fill(1.0);
+            panel.lump.into_iter().for_each(|lump| displacement[lump] = 1.0);
             let response = self.elements.response_to_inertia(factor, &displacement);
             self.push(response);
         }

@@ -9,13 +9,24 @@ use crate::numerics::quadrature::GaussRules;
 use alloc::vec::Vec;
 
 pub(super) fn stepped() -> Blade {
-    let text = r#"
+    with("")
+}
+
+/// The same with a point mass on the span and one at the tip, of about the blade's own weight.
+pub(super) fn laden() -> Blade {
+    with("point_mass = [{ r = 0.5, mass = 0.3, offset = 0.02 }, { r = 0.962, mass = 0.2, lag_inertia = 1e-4 }]")
+}
+
+fn with(point_masses: &str) -> Blade {
+    let text = alloc::format!(
+        r#"
         schema = "bladefan-blade/1"
         name = "stepped"
-        rotor = { radius = 0.962, nominal_speed = 105 }
-        flap = { root = "hingeless", offset = 0.09 }
-        lag = { root = "spring-hinged", offset = 0.09, spring = 40 }
-        torsion = { root = "spring", offset = 0.09, spring = 100 }
+        rotor = {{ radius = 0.962, nominal_speed = 105 }}
+        flap = {{ root = "hingeless", offset = 0.09 }}
+        lag = {{ root = "spring-hinged", offset = 0.09, spring = 40 }}
+        torsion = {{ root = "spring", offset = 0.09, spring = 100 }}
+        {point_masses}
         [distribution]
         r = [0.09, 0.2, 0.2, 0.3, 0.3, 0.962]
         mass = [1.5, 1.5, 0.8, 0.8, 0.34, 0.34]
@@ -24,8 +35,9 @@ pub(super) fn stepped() -> Blade {
         torsion_stiffness = [500, 500, 60, 60, 17, 17]
         polar_inertia = [1e-3, 1e-3, 1e-3, 1e-3, 1e-4, 2e-4]
         mass_offset = 0.01
-    "#;
-    crate::formats::read(text, crate::formats::Format::Toml).unwrap().blade
+    "#
+    );
+    crate::formats::read(&text, crate::formats::Format::Toml).unwrap().blade
 }
 
 pub(super) fn converged(blade: &Blade, dof: Dof, speed_squared: f64, count: usize) -> Converged {

@@ -42,16 +42,14 @@ pub struct Impossible {
 impl CoupledBlade {
     /// Of a blade. One that gives polar inertia alone is taken for thin: I₁ = 0, I₂ all of it.
     pub fn new(blade: &Blade, options: &Options) -> Self {
-        let inertia = if blade.inertias_given() {
-            [blade.flap_inertia().clone(), blade.lag_inertia().clone()]
-        } else {
-            [PiecewiseLinear::uniform(0.0), blade.polar_inertia().clone()]
-        };
         let pitch = options.pitch.unwrap_or_else(|| blade.pitch());
         let spring_angle = match blade.spring_angle() {
             SpringAngle::Angle(angle) => angle,
             SpringAngle::Pitch => pitch + blade.twist().at(blade.root(Dof::Flap).offset),
         };
+        // Where nothing twists its stiffness is of no account, but not none.
+        let none = |dof| dof == Dof::Torsion && !blade.has_torsion();
+        let stiffness = |dof| if none(dof) { PiecewiseLinear::uniform(1.0) } else { blade.stiffness(dof).clone() };
         let lump = |mass: &PointMass| Lump {
             r: mass.r,
             mass: mass.mass,
@@ -62,8 +60,8 @@ impl CoupledBlade {
             radius: blade.radius(),
             roots: Dof::ALL.map(|dof| blade.root(dof)),
             mass: blade.mass().clone(),
-            stiffness: Dof::ALL.map(|dof| blade.stiffness(dof).clone()),
-            inertia,
+            stiffness: Dof::ALL.map(stiffness),
+            inertia: blade.inertias().map(Clone::clone),
             mass_offset: blade.mass_offset().clone(),
             tension_offset: blade.tension_offset().clone(),
             trapeze: if options.trapeze { trapeze(blade) } else { Trapeze::Off },

@@ -28,6 +28,7 @@ pub use blade::CoupledBlade;
 pub use bounds::Missing;
 pub use classical::{Classical, Functions};
 pub use from_blade::{Impossible, Options};
+pub use gyroscopic::modes as turning_modes;
 pub use range::{Bounded, Range, RangeMode};
 pub use sample::Sample;
 

@@ -4,6 +4,7 @@ use super::fields::{Fields, gram};
 use super::grid::Grid;
 use crate::blade::RootCondition;
 use crate::dof::Dof;
+use crate::functions::Deformation;
 use crate::numerics::vector::dot;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -121,7 +122,7 @@ pub fn assemble(grid: &Grid, energies: Energies, rigid: bool) -> SystemMatrices 
     if grid.system().shift(1.0) > 0.0 {
         // The in-plane term, −m v v: the whole inertia.
         centrifugal -= &mass;
-        if rigid {
+        if rigid && grid.deformation() == Deformation::Bending {
             // φ₁ = s x: the tension's work is ∫ T s φ_j′ dr = s ∫ m r φ_j dr (by parts), the mass's
             // s ∫ m x φ_j dr; the difference is exactly the offset times s ∫ m φ_j dr. Written so
             // nothing cancels, and a central hinge is exactly free at every speed.
@@ -147,7 +148,7 @@ pub fn assemble(grid: &Grid, energies: Energies, rigid: bool) -> SystemMatrices 
 mod tests {
     use super::*;
     use crate::blade::Blade;
-    use crate::functions::{Deformation, Mesh, PiecewiseFunctions};
+    use crate::functions::{Mesh, PiecewiseFunctions};
     use crate::lagrange::tests::{INERTIA, MASS, MASS_OFFSET, RADIUS, STIFFNESS, free, sprung};
     use crate::numerics::quadrature::GaussRules;
 

@@ -196,14 +196,15 @@ fn rounding(grid: &Grid, fields: &Fields, values: &[f64], speed_squared: f64) ->
         .collect()
 }
 
-/// How far the stiffness at each point of a panel may be off because its radius is rounded.
+/// How far the stiffness at each point of a panel and of its point masses may be off because its radius is rounded.
 fn uncertainty(grid: &Grid, panel: &Panel) -> Vec<f64> {
     let points = panel.points.clone();
     let elastic = &grid.elastic()[points.clone()];
     let (Some(first), Some(last)) = (elastic.first(), elastic.last()) else { return Vec::new() };
     // The stiffness is linear within a panel, and its outer points are near its ends.
     let slope = 2.0 * (last - first).abs() / (panel.to - panel.from);
-    grid.radius()[points].iter().map(|r| 2.0 * f64::EPSILON * r * slope).collect()
+    let along = grid.radius()[points].iter().map(|r| 2.0 * f64::EPSILON * r * slope);
+    along.chain(panel.lump.map(|_| 0.0)).collect()
 }
 
 #[cfg(test)]

@@ -36,7 +36,7 @@ pub fn classical_functions(blade: &Blade, dof: Dof, count: usize) -> Box<dyn Ass
 pub fn torsion_norm(blade: &Blade, functions: &dyn AssumedFunctions, rules: &GaussRules) -> DMatrix<f64> {
     let grid = Grid::for_functions(blade, Dof::Torsion, functions, rules, 0, &[]);
     let per_half_length = 2.0 / (blade.radius() - grid.root());
-    gram(&Fields::sample(&grid, functions).displacement, grid.weight().iter().map(|weight| per_half_length * weight))
+    gram(&Fields::sample(&grid, functions).displacement, grid.length().iter().map(|weight| per_half_length * weight))
 }
 
 #[cfg(test)]

@@ -38,10 +38,14 @@ impl FromTip {
         Self { rules: out }
     }
 
-    /// ∫ f dr from each point to the tip, and from the root; f at the points of the grid.
+    /// ∫ f dr from each point to the tip, and from the root; f at the points of the grid, at a point mass its step.
     pub(super) fn integrate(&self, grid: &Grid, f: &[f64], out: &mut [f64]) -> f64 {
         let mut outboard = 0.0;
         for panel in grid.panels().iter().rev() {
+            if let Some(lump) = panel.lump {
+                outboard += f[lump];
+                out[lump] = outboard;
+            }
             let span = panel.points.clone();
             if let Some(Some(rule)) = self.rules.get(span.len()) {
                 rule.integrate(&f[span.clone()], outboard, panel.half(), &mut out[span.clone()]);
@@ -52,12 +56,15 @@ impl FromTip {
     }
 
     /// The load on the rotation that the inertia of a displacement makes, per ω² and length: the
-    /// shear in bending, the torque per length in torsion. `scratch` is overwritten.
+    /// shear in bending, the torque per length in torsion; of a point mass a torque in torsion alone. `scratch` is
+    /// overwritten.
     pub(super) fn inertial_load(&self, grid: &Grid, displacement: &[f64], out: &mut [f64], scratch: &mut [f64]) {
         out.iter_mut().zip(grid.inertia()).zip(displacement).for_each(|((out, j), u)| *out = j * u);
         if grid.deformation() == Deformation::Bending {
             self.integrate(grid, out, scratch);
             out.copy_from_slice(scratch);
+            // A force makes a step of the shear, and no moment by itself.
+            grid.lumps().for_each(|lump| out[lump] = 0.0);
         }
     }
 }
@@ -131,6 +138,10 @@ pub fn tabulate(
             }
         };
         for panel in grid.panels().iter().rev() {
+            if let Some(lump) = panel.lump {
+                at_inertia += load[lump];
+                at_pull += scratch[lump];
+            }
             store(panel.to, at_inertia, at_pull);
             at_inertia += over(&grid, panel.points.clone(), &load);
             at_pull += over(&grid, panel.points.clone(), &scratch);

@@ -14,7 +14,7 @@ pub struct Fields {
     pub displacement: DMatrix<f64>,
     /// w′, v′ or φ.
     pub rotation: DMatrix<f64>,
-    /// w″, v″ or φ′.
+    /// w″, v″ or φ′; 0 at point masses, where it may step.
     pub strain: DMatrix<f64>,
     /// The rotation at the root.
     pub root_rotation: Vec<f64>,
@@ -46,6 +46,13 @@ impl Fields {
                     fields.displacement[(point, i)] = sample.value;
                     fields.rotation[(point, i)] = if torsion { sample.value } else { sample.slope };
                     fields.strain[(point, i)] = if torsion { sample.slope } else { sample.curvature };
+                }
+            }
+            if let Some(lump) = panel.lump {
+                functions.sample(panel.to - grid.root(), &mut samples);
+                for (i, sample) in samples.iter().enumerate() {
+                    fields.displacement[(lump, i)] = sample.value;
+                    fields.rotation[(lump, i)] = if torsion { sample.value } else { sample.slope };
                 }
             }
         }

@@ -3,7 +3,7 @@
 use super::segments::{segments, taper_cuts};
 use super::terms::{Energy, Field, Quantity, System};
 use super::uncoupled;
-use crate::blade::{Blade, Place, RootCondition, stretches};
+use crate::blade::{Blade, Place, RootCondition, Section, stretches};
 use crate::dof::Dof;
 use crate::functions::{AssumedFunctions, Deformation};
 use crate::numerics::quadrature::GaussRules;
@@ -20,6 +20,8 @@ pub struct Panel {
     pub to: f64,
     /// Its points among all of the grid.
     pub points: Range<usize>,
+    /// The point of the point masses at its outer end, where there are any.
+    pub lump: Option<usize>,
 }
 
 impl Panel {
@@ -40,6 +42,9 @@ impl Panel {
 ///
 /// so that the rotation is the integral of the strain in both. A centrifugal term on the
 /// displacement shifts every eigenvalue and no shape ([`System::shift`]).
+///
+/// Point masses have a point of their own at the outer end of a panel, of weight 1 and without strain: what is per
+/// length elsewhere is there the whole.
 #[derive(Clone, Debug)]
 pub struct Grid {
     system: System,
@@ -48,6 +53,7 @@ pub struct Grid {
     panels: Vec<Panel>,
     radius: Vec<f64>,
     weight: Vec<f64>,
+    length: Vec<f64>,
     inertia: Vec<f64>,
     elastic: Vec<f64>,
     centrifugal: Vec<f64>,
@@ -81,7 +87,7 @@ impl Grid {
     }
 
     /// With given panels and their numbers of points, ascending from root to tip; none may straddle a
-    /// station.
+    /// station or a point mass.
     pub fn for_panels(
         blade: &Blade,
         dof: Dof,
@@ -90,12 +96,13 @@ impl Grid {
     ) -> Self {
         let root = blade.root(dof);
         let mut grid = Self {
-            system: uncoupled::system(dof),
+            system: uncoupled::system(blade, dof),
             root: root.offset,
             condition: root.condition,
             panels: Vec::new(),
             radius: Vec::new(),
             weight: Vec::new(),
+            length: Vec::new(),
             inertia: Vec::new(),
             elastic: Vec::new(),
             centrifugal: Vec::new(),
@@ -113,11 +120,24 @@ impl Grid {
                 let section = stretch.section(middle + half * node);
                 grid.radius.push(section.r);
                 grid.weight.push(half * weight);
+                grid.length.push(half * weight);
                 grid.elastic.push(elastic(&section));
                 grid.centrifugal.push(centrifugal(&section));
                 grid.inertia.push(inertia(&section));
             }
-            grid.panels.push(Panel { from, to, points: first..grid.radius.len() });
+            let points = first..grid.radius.len();
+            let hung = blade.point_masses().iter().filter(|mass| mass.r > from && mass.r <= to);
+            let hung: Vec<Section> = hung.map(Section::of).collect();
+            let lump = (!hung.is_empty()).then_some(points.end);
+            if lump.is_some() {
+                grid.radius.push(to);
+                grid.weight.push(1.0);
+                grid.length.push(0.0);
+                grid.elastic.push(1.0);
+                grid.centrifugal.push(hung.iter().map(centrifugal).sum());
+                grid.inertia.push(hung.iter().map(inertia).sum());
+            }
+            grid.panels.push(Panel { from, to, points, lump });
         }
         grid
     }
@@ -171,22 +191,32 @@ impl Grid {
         }
     }
 
-    /// Quadrature weights [m].
+    /// Quadrature weights [m]; 1 for point masses.
     pub fn weight(&self) -> &[f64] {
         &self.weight
     }
 
-    /// J: m [kg/m] or ρI_p [kg·m].
+    /// Quadrature weights of integrals along the span [m]; 0 for point masses.
+    pub fn length(&self) -> &[f64] {
+        &self.length
+    }
+
+    /// The points of point masses.
+    pub fn lumps(&self) -> impl Iterator<Item = usize> + '_ {
+        self.panels.iter().filter_map(|panel| panel.lump)
+    }
+
+    /// J: m [kg/m] or ρI_p [kg·m]; of point masses [kg] or [kg·m²].
     pub fn inertia(&self) -> &[f64] {
         &self.inertia
     }
 
-    /// D: EI or GJ [N·m²].
+    /// D: EI or GJ [N·m²]; of no account for point masses, which have no strain.
     pub fn elastic(&self) -> &[f64] {
         &self.elastic
     }
 
-    /// P: T or m Y² [kg·m].
+    /// P: T or m Y² [kg·m]; of point masses 0 or [kg·m²].
     pub fn centrifugal(&self) -> &[f64] {
         &self.centrifugal
     }
@@ -241,6 +271,7 @@ mod tests {
                     mass: blade.mass().at(r),
                     stiffness: Dof::ALL.map(|dof| blade.stiffness(dof).at(r)),
                     polar_inertia: blade.polar_inertia().at(r),
+                    racket: blade.polar_inertia().at(r),
                     mass_offset: blade.mass_offset().at(r),
                     tension: tension(r),
                 };
@@ -249,7 +280,7 @@ mod tests {
                     (Energy::Elastic, Quantity::Strain, grid.elastic()[k]),
                     (Energy::Centrifugal, Quantity::Rotation, grid.centrifugal()[k]),
                 ] {
-                    let known = uncoupled::system(dof).weight(energy, Field { dof, quantity })(&section);
+                    let known = uncoupled::system(&blade, dof).weight(energy, Field { dof, quantity })(&section);
                     assert!((found - known).abs() < 1e-15 * (1.0 + 10.0 * known), "{dof} at {r}: {found} {known}");
                 }
             }

@@ -78,14 +78,14 @@ impl ResidualMoments {
     /// Complementary energies ∫ δ_i δ_j / D dr with what the root adds (modes × modes). The one on
     /// the diagonal times λ is about the relative error of that λ.
     pub fn energies(&self, grid: &Grid) -> DMatrix<f64> {
-        let compliance = grid.weight().iter().zip(grid.elastic()).map(|(weight, d)| weight / d);
+        let compliance = grid.length().iter().zip(grid.elastic()).map(|(weight, d)| weight / d);
         gram(&self.moment, compliance) + &self.root
     }
 
     /// The energy of each mode by itself: the diagonal of [`energies`](Self::energies).
     pub fn own_energies(&self, grid: &Grid) -> Vec<f64> {
         let own = |(mode, column): (usize, DVectorView<f64>)| {
-            let points = column.iter().zip(grid.weight().iter().zip(grid.elastic()));
+            let points = column.iter().zip(grid.length().iter().zip(grid.elastic()));
             points.map(|(moment, (weight, d))| moment * moment * weight / d).sum::<f64>() + self.root[(mode, mode)]
         };
         self.moment.column_iter().enumerate().map(own).collect()

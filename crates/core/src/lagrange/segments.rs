@@ -1,6 +1,6 @@
 //! Where to integrate: panels that respect every station and every wave of the functions.
 
-use crate::blade::Blade;
+use crate::blade::{Blade, Racket};
 use crate::dof::Dof;
 use crate::functions::AssumedFunctions;
 use crate::numerics::PiecewiseLinear;
@@ -82,19 +82,23 @@ pub(crate) fn taper_cuts(blade: &Blade, dof: Dof) -> Vec<f64> {
     cuts.collect()
 }
 
-/// The segments of a degree of freedom from its root to the tip, inner first; `extra` radii split
-/// segments too.
+/// The segments of a degree of freedom from its root to the tip, inner first: they end at stations and point
+/// masses; `extra` radii split them too.
 pub(crate) fn segments(blade: &Blade, dof: Dof, extra: &[f64]) -> Vec<Segment> {
     let (root, radius) = (blade.root(dof).offset, blade.radius());
-    let properties: &[&PiecewiseLinear] = match dof {
-        Dof::Flap | Dof::Lag => &[blade.mass(), blade.stiffness(dof)],
-        Dof::Torsion => &[blade.mass(), blade.stiffness(dof), blade.polar_inertia(), blade.mass_offset()],
-    };
+    let mut properties = alloc::vec![blade.mass(), blade.stiffness(dof)];
+    if dof == Dof::Torsion {
+        properties.extend([blade.polar_inertia(), blade.mass_offset()]);
+        if blade.racket() != Racket::Paper {
+            properties.extend(blade.inertias());
+        }
+    }
     let mut ends: Vec<f64> = properties
         .iter()
         .flat_map(|property| property.stations())
         .chain(extra)
         .copied()
+        .chain(blade.point_masses().iter().map(|mass| mass.r))
         .filter(|&r| r > root && r < radius)
         .collect();
     ends.push(root);

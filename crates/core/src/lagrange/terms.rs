@@ -101,8 +101,15 @@ mod tests {
         Term { energy: Energy::Elastic, row: W, column: T, weight: |_| 7.0 },
         Term::diagonal(Energy::Inertia, Dof::Flap, Quantity::Displacement, |s| s.mass),
     ];
-    const SECTION: Section =
-        Section { r: 1.0, mass: 2.0, stiffness: [5.0; 3], polar_inertia: 1.0, mass_offset: 0.0, tension: 0.0 };
+    const SECTION: Section = Section {
+        r: 1.0,
+        mass: 2.0,
+        stiffness: [5.0; 3],
+        polar_inertia: 1.0,
+        racket: 1.0,
+        mass_offset: 0.0,
+        tension: 0.0,
+    };
 
     #[test]
     fn a_weight_is_that_of_the_square_of_its_field() {

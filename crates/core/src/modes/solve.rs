@@ -37,6 +37,10 @@ impl fmt::Display for SolveError {
         let dofs = Names(self.dofs);
         match self.cause {
             EigenError::NonFinite => write!(f, "the {dofs} matrices overflow; are the units right?"),
+            EigenError::NotPositiveDefinite if self.dofs == [Dof::Torsion] => {
+                let why = "a propeller moment turns sections over, or the stiffness varies too much for f64";
+                write!(f, "the torsion stiffness matrix is not positive definite; {why}")
+            }
             EigenError::NotPositiveDefinite => {
                 write!(f, "the {dofs} stiffness matrix is not positive definite; the stiffness varies too much for f64")
             }

@@ -25,9 +25,13 @@ impl FunctionCounts {
         }
     }
 
-    /// Those of all three.
-    pub fn of_all([flap, lag, torsion]: [usize; 3]) -> Self {
-        Self { flap: Some(flap), lag: Some(lag), torsion: Some(torsion) }
+    /// Those of some degrees of freedom; `counts` has all three.
+    pub fn of(dofs: &[Dof], counts: [usize; 3]) -> Self {
+        let mut all = Self::default();
+        for dof in dofs {
+            all.set(*dof, counts[dof.index()]);
+        }
+        all
     }
 
     /// Those asked for, in the order flap, lag, torsion.

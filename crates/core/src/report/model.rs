@@ -1,5 +1,6 @@
 //! What is solved.
 
+use crate::blade::PropellerMoment;
 use crate::figures::short;
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -34,7 +35,7 @@ report! {
 }
 impl ModelReport {
     /// Flap, lag and torsion each on its own.
-    pub(crate) fn uncoupled(words: &str, unused: Vec<String>) -> Self {
+    pub(crate) fn uncoupled(words: &str, moment: Option<PropellerMoment>, unused: Vec<String>) -> Self {
         Self {
             kind: "uncoupled",
             pitch_rad: 0.0,
@@ -44,7 +45,7 @@ impl ModelReport {
             gyroscopic: false,
             steady: false,
             cone: "held",
-            propeller_moment: "paper",
+            propeller_moment: if moment == Some(PropellerMoment::Full) { "full" } else { "paper" },
             unused,
             words: words.to_string(),
         }
@@ -57,11 +58,12 @@ impl ModelReport {
         let moment =
             if self.propeller_moment == "paper" { "the paper's propeller moment" } else { "full propeller moment" };
         let words = format!(
-            "coupled, in vacuum, pitch {}, precone {}, {}, {}, {moment}, no gyroscopic terms, no steady deflection",
+            "coupled, in vacuum, pitch {}, precone {}, {}, {}, {moment}, {} gyroscopic terms, no steady deflection",
             degrees(self.pitch_rad),
             degrees(self.precone_rad),
             switch("trapeze", self.trapeze),
             switch("rotary inertia", self.rotary),
+            if self.gyroscopic { "with" } else { "no" },
         );
         Self { words, ..self }
     }

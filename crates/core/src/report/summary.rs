@@ -16,11 +16,11 @@ report! {
         offset_m: f64,
         /// Spring [N·m/rad], where there is one.
         spring_n_m: Option<f64>,
-        /// Mass outboard of the root [kg].
+        /// Mass outboard of the root, point masses with it [kg].
         mass_kg: f64,
-        /// ∫ m x dr about the root, x from the root [kg·m]; `None` for torsion.
+        /// ∫ m x dr about the root, x from the root, and m x of point masses [kg·m]; `None` for torsion.
         static_moment_kg_m: Option<f64>,
-        /// ∫ m x² dr about the root, or ∫ ρI_p dr for torsion [kg·m²].
+        /// ∫ m x² dr about the root, or ∫ ρI_p dr for torsion, and those of point masses [kg·m²].
         inertia_kg_m2: f64,
     }
 }

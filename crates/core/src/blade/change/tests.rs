@@ -151,12 +151,21 @@ fn what_may_be_left_out_can_be_set_and_what_must_be_given_stays_missing() {
     let twist = Change::new(What::Property(Property::Twist), Amount::Set(0.1)).on(2.0, 4.0);
     assert_eq!(*property(&after(&[twist]), Property::Twist), own(&[(0.0, 0.0), (2.0, 0.0), (2.0, 0.1), (4.0, 0.1)]));
     let bare = BladeDefinition::new("bare", 1.0, 1.0);
-    let changes: Vec<Change> = What::all().map(|what| Change::new(what, Amount::Scale(2.0))).collect();
+    let (torsion, others): (Vec<What>, Vec<What>) = What::all().partition(|what| what.is_of_torsion());
+    let changes: Vec<Change> = others.into_iter().map(|what| Change::new(what, Amount::Scale(2.0))).collect();
     let changed = change(&bare, &changes).unwrap().blade;
     assert_eq!((changed.distribution, changed.flap), (None, None));
     let given = BladeDefinition { distribution: Some(DistributionDefinition::default()), ..bare };
     let set = [Change::new(MASS, Amount::Set(2.0)).on(0.0, 0.5)];
     assert_eq!(change(&given, &set).unwrap().blade, given);
+    // A blade of flap and lag alone has nothing of torsion to be changed.
+    for what in torsion {
+        let faults = change(&given, &[Change::new(what, Amount::Set(2.0))]).unwrap_err();
+        let path = what.path();
+        let message =
+            format!("changes[0].what: {path} needs a blade with torsion data: this one has flap and lag alone");
+        assert_eq!(faults.to_string(), message);
+    }
 }
 
 #[test]

@@ -164,12 +164,13 @@ impl Checker {
             self.refuse(FaultCode::Missing, path, None, row.words, &rule);
             return None;
         }
-        if !row.required {
+        let of_torsion = Property::OF_TORSION.contains(&property);
+        if !row.required || (of_torsion && !self.torsion) {
             return Some(Known { function: PiecewiseLinear::uniform(0.0), reach: None });
         }
         // A sum that lacks a part is told of there.
         if row.sum_of.iter().all(|part| given[*part].is_none()) {
-            self.missing(path, row.words);
+            if of_torsion { self.missing_torsion(path, row.words) } else { self.missing(path, row.words) }
         }
         None
     }
@@ -217,6 +218,10 @@ impl Checker {
     fn cover(&mut self, property: Property, known: &Known, from: Length, radius: Length) {
         let Some((first, last)) = known.reach else { return };
         let near = NEAR * radius.si;
+        if from.si >= radius.si {
+            // No root of it is on the blade.
+            return;
+        }
         if first.si <= from.si + near && last.si >= radius.si - near {
             return;
         }
@@ -247,7 +252,7 @@ impl Checker {
             return;
         };
         for &dof in row.acts_outboard_of {
-            let Some(offset) = roots[dof.index()].offset else { continue };
+            let Some(offset) = roots[dof.index()].offset.filter(|offset| offset.si < radius.si) else { continue };
             if !found.iter().any(|part| part.positive_between(offset.si, radius.si)) {
                 let unit = self.units.length;
                 let rule = format!(

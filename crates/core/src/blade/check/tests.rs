@@ -63,7 +63,7 @@ fn a_spring_of_zero_is_a_free_root() {
 
 #[test]
 fn an_empty_definition_misses_everything_that_must_be_there() {
-    assert_eq!(paths(&BladeDefinition::default()), ["name", "rotor", "flap", "lag", "torsion", "distribution"]);
+    assert_eq!(paths(&BladeDefinition::default()), ["name", "rotor", "flap", "lag", "distribution"]);
     let mut given = definition();
     given.rotor = Some(RotorDefinition::default());
     given.flap = Some(RootDefinition::default());
@@ -79,6 +79,34 @@ fn an_empty_definition_misses_everything_that_must_be_there() {
         "distribution.polar_inertia",
     ];
     assert_eq!(paths(&given), expected);
+}
+
+/// Without anything of torsion there are flap and lag alone; a part of it is none.
+#[test]
+fn torsion_may_be_left_out_as_a_whole() {
+    let all = [Property::TorsionStiffness, Property::PolarInertia];
+    let bare = all.into_iter().fold(BladeDefinition { torsion: None, ..definition() }, without);
+    let offset = bare.clone().with(Property::MassOffset, [(0.0, 0.1), (1.0, 0.2)]);
+    for given in [&bare, &offset] {
+        let blade = check(given).unwrap();
+        assert_eq!((blade.dofs(), blade.has_torsion()), (&[Dof::Flap, Dof::Lag][..], false));
+        assert_eq!(blade.warnings()[0].to_string(), "torsion: no torsion data: flap and lag alone");
+        assert_eq!(blade.root(Dof::Torsion).offset, blade.radius(), "nothing twists");
+        assert_eq!(blade.inertias().map(|inertia| inertia.at(1.0)), [0.0; 2]);
+    }
+    assert_eq!(check(&definition()).unwrap().dofs(), Dof::ALL);
+    let [root, stiffness, inertia] = ["torsion", "distribution.torsion_stiffness", "distribution.polar_inertia"];
+    let parts = [
+        (bare.clone().with_torsion(RootDefinition::rigid(0.0)), [stiffness, inertia]),
+        (bare.clone().with(Property::TorsionStiffness, 1.0), [root, inertia]),
+        (bare.clone().with(Property::PolarInertia, 1.0), [root, stiffness]),
+        (bare.with(Property::FlapInertia, 1.0).with(Property::LagInertia, 1.0), [root, stiffness]),
+    ];
+    for (given, missing) in parts {
+        assert_eq!(paths(&given), missing);
+        let faults = check(&given).unwrap_err().to_string();
+        assert_eq!(faults.matches("be left out together").count(), 2, "{faults}");
+    }
 }
 
 #[test]

@@ -1,28 +1,35 @@
 //! The operations of the elements against dense matrices of the same functions, sampled one by one.
 
 use super::*;
-use crate::converged::tests::stepped;
+use crate::converged::tests::{laden, stepped};
 use crate::functions::PiecewiseFunctions;
 use crate::lagrange::{Energies, Fields};
 use nalgebra::{DMatrix, DVector};
 
 /// Elements over all steps, and the dense energies of every polynomial alone, the rigid motion first.
 struct Both {
+    dof: Dof,
     elements: Elements,
     dense: Energies,
     fields: Fields,
 }
 
 impl Both {
-    fn new(dof: Dof) -> Self {
-        let (blade, rules) = (stepped(), GaussRules::new());
+    /// Of each degree of freedom, without and with point masses.
+    fn all() -> Vec<Self> {
+        let of = |blade: Blade| Dof::ALL.map(|dof| Self::new(&blade, dof));
+        [stepped(), laden()].into_iter().flat_map(of).collect()
+    }
+
+    fn new(blade: &Blade, dof: Dof) -> Self {
+        let rules = GaussRules::new();
         let layout = Layout { radii: vec![0.09, 0.2, 0.3, 0.5, 0.962], orders: vec![3, 1, 2, 4], resolved: true };
-        let elements = Elements::new(&blade, dof, &layout, &rules);
+        let elements = Elements::new(blade, dof, &layout, &rules);
         let identity = DMatrix::identity(10, 10);
         let functions = PiecewiseFunctions::new(layout.mesh(), Deformation::of(dof), true, identity);
         let fields = Fields::sample(elements.grid(), &functions);
         let dense = Energies::new(elements.grid(), &fields);
-        Self { elements, dense, fields }
+        Self { dof, elements, dense, fields }
     }
 
     /// The part of the clamped polynomials.
@@ -52,8 +59,8 @@ fn assert_near(found: &[f64], known: &DVector<f64>, relative: f64, what: &str) {
 fn gradients_are_those_of_the_dense_matrices() {
     let c = coefficients();
     let q = DVector::from_column_slice(&c);
-    for dof in Dof::ALL {
-        let both = Both::new(dof);
+    for both in Both::all() {
+        let dof = both.dof;
         let (elastic, centrifugal) = (Both::clamped(&both.dense.elastic), Both::clamped(&both.dense.centrifugal));
         assert_near(&both.elements.elastic_gradient(&c), &(elastic * &q), 1e-13, "elastic");
         assert_near(&both.elements.centrifugal_gradient(&c), &(centrifugal * &q), 1e-13, "centrifugal");
@@ -69,8 +76,8 @@ fn gradients_are_those_of_the_dense_matrices() {
 #[test]
 fn gradients_are_derivatives_of_the_energies() {
     let c = coefficients();
-    for dof in Dof::ALL {
-        let both = Both::new(dof);
+    for both in Both::all() {
+        let dof = both.dof;
         let grid = both.elements.grid();
         let energy = |property: &[f64], fields: &DMatrix<f64>, c: &[f64]| -> f64 {
             let sum = fields.columns(1, 10) * DVector::from_column_slice(c);
@@ -96,8 +103,7 @@ fn gradients_are_derivatives_of_the_energies() {
 #[test]
 fn responses_solve_the_dense_equations() {
     let c = coefficients();
-    for dof in Dof::ALL {
-        let both = Both::new(dof);
+    for both in Both::all() {
         let displacement = both.elements.displacement(&c);
         let sampled = both.fields.displacement.columns(1, 10) * DVector::from_column_slice(&c);
         assert_near(&displacement, &sampled, 1e-13, "displacement");
@@ -123,8 +129,8 @@ fn responses_solve_the_dense_equations() {
 #[test]
 fn fields_are_those_of_the_functions() {
     let c = coefficients();
-    for dof in Dof::ALL {
-        let both = Both::new(dof);
+    for both in Both::all() {
+        let dof = both.dof;
         let matrix = DMatrix::from_column_slice(10, 1, &c);
         let functions = PiecewiseFunctions::new(both.elements.mesh.clone(), Deformation::of(dof), false, matrix);
         let known = Fields::sample(both.elements.fine_grid(), &functions);
