@@ -255,7 +255,7 @@ pub(super) fn model(blade: &Blade, settings: &Settings) -> Result<(CoupledBlade,
         gyroscopic: settings.gyroscopic,
         steady: false,
         cone: "held",
-        propeller_moment: if paper_moment { "paper" } else { "full" },
+        propeller_moment: settings.propeller_moment.unwrap_or(PropellerMoment::Full).name(),
         unused,
         words: String::new(),
     };

@@ -1,11 +1,11 @@
 //! Fan charts of coupled blades.
 
-use super::coupled::{label, model, unsolvable};
+use super::coupled::{label, model, paper_functions, unsolvable};
 use super::{Settings, frequency, margin};
 use crate::blade::Blade;
-use crate::coupled::{Bounded, Range, RangeMode};
+use crate::coupled::{Bounded, Classical, CoupledBlade, Range, RangeMode};
 use crate::fan::{Branches, Meets, OnBranch, meet};
-use crate::fault::{Faults, Warning};
+use crate::fault::{Fault, FaultCode, Faults, Warning};
 use crate::functions::BasisFamily;
 use crate::label::Label;
 use crate::numerics::eigen::EigenError;
@@ -37,7 +37,7 @@ pub(super) fn coupled_fan(blade: &Blade, settings: &Settings) -> Result<FanChart
     let drawn = settings.speeds_or(nominal);
     let highest = drawn.to.max(nominal);
     let reach = Branches::reach(nominal, highest);
-    let range = Range::new(&coupled, reach * reach, settings.coupled_modes, &GaussRules::new()).map_err(unsolvable)?;
+    let range = range(blade, &coupled, reach * reach, settings)?;
     if !range.is_converged() {
         let message = format!("frequencies are converged to {:.0e} only", 0.5 * range.error());
         warnings.push(Warning { path: "coupled".into(), message });
@@ -50,10 +50,7 @@ pub(super) fn coupled_fan(blade: &Blade, settings: &Settings) -> Result<FanChart
         blade: blade.name().to_string(),
         blades: blade.blades(),
         harmonics: settings.harmonics,
-        basis: BasisReport {
-            family: BasisFamily::Piecewise,
-            functions: FunctionCounts::of(blade.dofs(), range.functions()),
-        },
+        basis: BasisReport { family: settings.basis, functions: FunctionCounts::of(blade.dofs(), range.functions()) },
         speeds_rad_s: speeds,
         crossings: Vec::new(),
         coincident: Vec::new(),
@@ -65,6 +62,25 @@ pub(super) fn coupled_fan(blade: &Blade, settings: &Settings) -> Result<FanChart
     };
     followed.meet_rays((drawn.from, drawn.to), &mut chart).map_err(unsolvable)?;
     Ok(chart)
+}
+
+/// The functions that the settings ask for, up to a speed.
+fn range(blade: &Blade, coupled: &CoupledBlade, highest: f64, settings: &Settings) -> Result<Range, Faults> {
+    let (count, rules) = (settings.coupled_modes, GaussRules::new());
+    let range = match settings.basis {
+        BasisFamily::Piecewise => Range::new(coupled, highest, count, &rules),
+        BasisFamily::Classical => {
+            let functions = paper_functions(blade, settings.functions);
+            let most = (blade.dofs().len() * settings.functions).saturating_sub(BEYOND + 1);
+            if count > most {
+                let rule = format!("must be at most {most} with so few functions");
+                let message = format!("{rule} (is {count})");
+                return Err(Fault::new(FaultCode::Option, "modes", Some(count.to_string()), rule, message).into());
+            }
+            Range::classical(&Classical::new(coupled, &functions, &rules), highest, count)
+        }
+    };
+    range.map_err(unsolvable)
 }
 
 /// The frequencies of modes at their own rotor speeds, each found by its label there; `None` where there is no such
@@ -80,8 +96,7 @@ pub(super) fn coupled_at(
     settings.still()?;
     let (coupled, ..) = model(blade, settings)?;
     let highest = points.iter().map(|point| point.1).fold(blade.nominal_speed(), f64::max);
-    let range =
-        Range::new(&coupled, highest * highest, settings.coupled_modes, &GaussRules::new()).map_err(unsolvable)?;
+    let range = range(blade, &coupled, highest * highest, settings)?;
     let at = |&(named, speed): &(Label, f64)| {
         let modes = called(&range, speed, settings.coupled_modes)?;
         let found = modes.iter().find(|(_, label)| label.dof == named.dof && label.number == named.number);
@@ -172,6 +187,9 @@ impl<'a> Followed<'a> {
                 // Without a number where the blade is unstable: a gap in the chart.
                 let zero = if proven { 0.0 } else { nothing };
                 out.frequency_rad_s.push(shown(value, zero).unwrap_or(f64::NAN));
+                if !self.range.is_bounded() {
+                    continue;
+                }
                 out.lower_rad_s.push(interval.filter(|_| value >= -nothing).map(|(lower, _)| frequency(*lower)));
                 out.upper_rad_s.push(interval.filter(|_| value >= -nothing).map(|(_, upper)| frequency(*upper)));
             }

@@ -65,6 +65,16 @@ pub enum PropellerMoment {
     Paper,
 }
 
+impl PropellerMoment {
+    /// The name used in options and results.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Full => "full",
+            Self::Paper => "paper",
+        }
+    }
+}
+
 /// The same, with what the signs of the full one are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Racket {

@@ -94,7 +94,7 @@ pub(super) fn chart(branches: &[(Dof, f64, f64)], speeds: usize, harmonics: u32)
 }
 
 fn model() -> ModelReport {
-    ModelReport::uncoupled(MODEL, None, Vec::new())
+    ModelReport::uncoupled(MODEL, "paper", Vec::new())
 }
 
 fn many_branches(each: u32) -> Vec<(Dof, f64, f64)> {

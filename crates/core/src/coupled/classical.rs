@@ -6,8 +6,10 @@ use super::blade::CoupledBlade;
 use super::bounds::{Proof, lower_bounds, rounding};
 use super::element::{PointFields, STATES};
 use super::equilibrium::{ModeEnergies, ModeFields, OwnEnergies, energies, own_energies, residuals};
+use super::range::residual_moments;
+use super::reduced::Reduced;
 use super::terms::FIELDS;
-use super::{CoupledMode, Proven, sample, shares};
+use super::{CoupledMode, MOST_SHIFTS, Proven, SHIFT, sample, shares};
 use crate::dof::Dof;
 use crate::functions::{AssumedFunctions, Sample};
 use crate::numerics::eigen::{Eigen, EigenError, lowest_of_any_sign};
@@ -16,7 +18,7 @@ use crate::numerics::scalar::{ceil, maximum};
 use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
-use nalgebra::DMatrix;
+use nalgebra::{Cholesky, DMatrix};
 
 /// No function turns by more than this within an element [rad], whose points then see all of it.
 const TURN: f64 = 4.0;
@@ -55,6 +57,27 @@ impl<'a> Classical<'a> {
     /// Number of functions of flap, lag and torsion.
     pub fn counts(&self) -> [usize; 3] {
         self.functions.each_ref().map(|own| own.count())
+    }
+
+    /// All functions for 0 ≤ Ω² ≤ `highest`, with a shift for the `count` lowest modes.
+    ///
+    /// # Errors
+    /// [`EigenError`].
+    pub fn reduced(&self, highest: f64, count: usize) -> Result<Reduced, EigenError> {
+        let ModeEnergies { elastic, centrifugal, inertia } = &self.energies;
+        let ends = [elastic.clone(), elastic + centrifugal * highest];
+        let size = available(&ends[1], inertia, count)?.values.last().map_or(0.0, |value| value.abs());
+        // C enters in proportion: what is definite at both ends is definite between them.
+        let definite = |sigma: &f64| ends.iter().all(|end| Cholesky::new(end + inertia * *sigma).is_some());
+        let mut shifts = (0..MOST_SHIFTS).scan(SHIFT.0 * size, |sigma, _| {
+            let now = *sigma;
+            *sigma *= SHIFT.1;
+            Some(now)
+        });
+        let sigma = shifts.find(definite).ok_or(EigenError::NotPositiveDefinite)?;
+        let kinetic = shares::kinetic(&self.assembly, &self.fields);
+        let residuals = residual_moments(self.blade, &self.assembly, &self.fields);
+        Ok(Reduced::new(sigma, [elastic.clone(), centrifugal.clone(), inertia.clone()], kinetic, residuals))
     }
 
     /// λ of the lowest modes at Ω² = s with the first `each` functions of every motion alone.

@@ -4,6 +4,7 @@
 use super::assembly::{Assembly, Vector};
 use super::blade::CoupledBlade;
 use super::bounds::{Missing, Proof, ROUNDING, lower_bounds, prove_separation, prove_shift, settle_free};
+use super::classical::Classical;
 use super::equilibrium::{Factors, ModeEnergies, ModeFields, energies, residual};
 use super::layout::{first_layout, raise};
 use super::reduced::Reduced;
@@ -95,9 +96,10 @@ impl Anchors {
 pub struct Range {
     count: usize,
     reduced: Reduced,
-    /// For proofs.
-    coarse: Assembly,
-    fine: Assembly,
+    /// For proofs, coarse and fine; none of functions of which nothing is proven.
+    on: Vec<Assembly>,
+    /// Number of functions of flap, lag and torsion behind the modes.
+    functions: [usize; 3],
     highest: f64,
     shift: Option<(f64, f64)>,
     error: f64,
@@ -140,19 +142,35 @@ impl Range {
         let coarse = layout.with_orders_up_to(ORDER_OF_PROOFS);
         let coarse = Assembly::new(blade, &coarse, rules, Some(&fine));
         let free = [0.0, highest].map(|s| blade.free_motions(s));
-        Self { count, reduced, coarse, fine, highest, shift: None, error, free }.with_shift()
+        let functions = fine.unknowns_by_motion();
+        Self { count, reduced, on: vec![coarse, fine], functions, highest, shift: None, error, free }.with_shift()
+    }
+
+    /// The same of the paper's functions, as they are: nothing is proven of them.
+    ///
+    /// # Errors
+    /// [`EigenError`].
+    pub fn classical(paper: &Classical<'_>, highest: f64, count: usize) -> Result<Self, EigenError> {
+        let reduced = paper.reduced(highest, count + BEYOND)?;
+        let (on, functions) = (Vec::new(), paper.counts());
+        Ok(Self { count, reduced, on, functions, highest, shift: None, error: 0.0, free: [0; 2] })
     }
 
     /// With the shift of all its bounds, which is about in proportion to the highest eigenvalue.
     fn with_shift(mut self) -> Result<Self, EigenError> {
         let rho = self.eigenvalues(self.highest)?.last().copied().unwrap_or(0.0);
-        self.shift = [&self.coarse, &self.fine].into_iter().find_map(|on| prove_shift(on, self.highest, rho));
+        self.shift = self.on.iter().find_map(|on| prove_shift(on, self.highest, rho));
         Ok(self)
     }
 
     /// Number of functions of flap, lag and torsion behind the modes.
     pub fn functions(&self) -> [usize; 3] {
-        self.fine.unknowns_by_motion()
+        self.functions
+    }
+
+    /// Whether bounds are sought at all.
+    pub fn is_bounded(&self) -> bool {
+        !self.on.is_empty()
     }
 
     /// The largest relative error of an eigenvalue where they were checked.
@@ -216,9 +234,8 @@ impl Range {
         let known = if let Some(known) = last.filter(usable) {
             known
         } else {
-            let (below, rho) = prove_separation(&self.coarse, values, self.count, s)
-                .or_else(|| prove_separation(&self.fine, values, self.count, s))
-                .ok_or(Missing::Separation)?;
+            let proven = self.on.iter().find_map(|on| prove_separation(on, values, self.count, s));
+            let (below, rho) = proven.ok_or(Missing::Separation)?;
             Separation { below, rho, from: s }
         };
         *last = Some(known);
@@ -277,7 +294,7 @@ pub fn orthonormal(assembly: &Assembly, s: f64, sigma: f64, modes: &[Vector]) ->
 
 /// Columns: the residual moments of the inertia of every function, then of its centrifugal loads, then of its
 /// strains.
-fn residual_moments(blade: &CoupledBlade, assembly: &Assembly, fields: &ModeFields) -> DMatrix<f64> {
+pub fn residual_moments(blade: &CoupledBlade, assembly: &Assembly, fields: &ModeFields) -> DMatrix<f64> {
     let parts = [
         Factors { inertia: 1.0, ..Factors::default() },
         Factors { centrifugal: 1.0, ..Factors::default() },

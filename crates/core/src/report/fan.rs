@@ -204,7 +204,7 @@ mod tests {
             coincident: Vec::new(),
             nominal: Nominal { speed_rad_s: 10.0, margins: Vec::new() },
             warnings: Vec::new(),
-            model: ModelReport::uncoupled("", None, Vec::new()),
+            model: ModelReport::uncoupled("", "paper", Vec::new()),
             veerings: Vec::new(),
         };
         let speeds = |band: (f64, f64)| -> Vec<f64> { chart.crossings_in(band).map(|at| at.speed_rad_s).collect() };

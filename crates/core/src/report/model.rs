@@ -1,6 +1,5 @@
 //! What is solved.
 
-use crate::blade::PropellerMoment;
 use crate::figures::short;
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -35,7 +34,7 @@ report! {
 }
 impl ModelReport {
     /// Flap, lag and torsion each on its own.
-    pub(crate) fn uncoupled(words: &str, moment: Option<PropellerMoment>, unused: Vec<String>) -> Self {
+    pub(crate) fn uncoupled(words: &str, propeller_moment: &'static str, unused: Vec<String>) -> Self {
         Self {
             kind: "uncoupled",
             pitch_rad: 0.0,
@@ -45,7 +44,7 @@ impl ModelReport {
             gyroscopic: false,
             steady: false,
             cone: "held",
-            propeller_moment: if moment == Some(PropellerMoment::Full) { "full" } else { "paper" },
+            propeller_moment,
             unused,
             words: words.to_string(),
         }
