@@ -178,7 +178,7 @@ function frequencies({ modes, fan }) {
       "Frequencies",
       [
         "mode",
-        ...(isCoupled ? ["flap, lag, torsion %"] : []),
+        ...(isCoupled ? ["F, L, T %"] : []),
         "rad/s",
         "Hz",
         "/rev",
