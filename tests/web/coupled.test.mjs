@@ -169,6 +169,17 @@ pageTest("a mixed mode moves in all its motions", { reducedMotion: "no-preferenc
   await page.locator("#lesson", { hasText: /^1T\/F with the paper’s 15 functions: 135/ }).waitFor();
 });
 
+pageTest("what moves a mixed mode is what the package says it does", {}, async (page) => {
+  const uh60a = await opened(page, "uh60a", "UH-60A");
+  const said = page.locator("#movers li", { hasText: "1T/F" });
+  await said.waitFor();
+  const words = await said.textContent();
+  const [, slope] = /^Torsion stiffness \+1 % moves 1T\/F up by about ([\d.]+)\/rev; about −[\d.]+ % brings the margin to 0\.1\/rev\.$/.exec(words);
+  const { value: stiffer } = await call(page, "change_blade", uh60a, [{ what: "distribution.torsion_stiffness", scale: 1.01 }]);
+  const perRev = async (blade) => (await call(page, "modes", blade)).value.modes.find(({ label }) => label.startsWith("1T")).per_rev;
+  assert.ok(Math.abs((await perRev(stiffer.blade)) - (await perRev(uh60a)) - slope) < 1e-3, words);
+});
+
 pageTest("along a branch the readout says what it is called there", {}, async (page) => {
   const uh60a = await opened(page, "uh60a", "UH-60A");
   const { value: fan } = await call(page, "fan", uh60a);

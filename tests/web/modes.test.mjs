@@ -452,3 +452,13 @@ modesTest("a full report still has one page, and says what it leaves out", {}, a
   assert.match(await text(), /The first 26 of 60 stations\./);
   await fitsPaper(page, "many-modes");
 });
+
+modesTest("the report of a coupled blade has its shares, and one page", { model: "coupled" }, async (page) => {
+  await printing(page);
+  await openBlade(page, "uh60a", "UH-60A");
+  await page.locator("#print").evaluate((button) => button.click());
+  await page.waitForFunction(() => window.prints === 1);
+  const text = await page.locator("#report").textContent();
+  for (const words of ["F, L, T %", "1T/F", "27, 21, 52", "coupled, in vacuum"]) assert.ok(text.includes(words), `${words} in ${text}`);
+  await fitsPaper(page, "coupled");
+});

@@ -142,7 +142,7 @@ async function start() {
   if ((await found(address.open)) || (await found(fromLastVisit)) || open.begun()) return open.haveBlade();
   const first = blades.find((blade) => blade.name === FIRST_BLADE) ?? blades[0];
   open(first.toml, first.name);
-  at("hint").textContent = `This is the ${first.title}. Drag the line on the chart, or a slider under “What if”, and watch the branches move.`;
+  at("hint").textContent = `The ${first.title}. Drag the line on the chart, or a slider under “What if”.`;
   at("hint").hidden = false;
 }
 start();
