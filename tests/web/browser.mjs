@@ -83,6 +83,6 @@ export async function chooseModel(page, model) {
 /** Waits until the chart, the table and the slider are there. */
 export async function drawn(page) {
   await page.locator("#chart > svg:not(.overlay)").waitFor();
-  await page.locator("#modes tbody tr").first().waitFor();
+  await page.locator("#modes tbody tr:not([hidden])").first().waitFor();
   await page.locator("#speed-slider:enabled").waitFor();
 }

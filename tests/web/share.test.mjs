@@ -20,7 +20,7 @@ const state = {
   band: [0.8, 1.2],
   window: null,
   chosen: "2F",
-  model: "coupled",
+  model: "uncoupled",
   options: { modes: "4" },
   measured: "a,b",
   whatIf: NEUTRAL,
