@@ -330,6 +330,18 @@ for (const [width, columns] of [
   });
 }
 
+for (const width of [360, 390, 820, 1280]) {
+  modesTest(
+    `at ${width} px the table of a coupled blade scrolls nowhere sideways`,
+    { model: "coupled", viewport: { width, height: 800 } },
+    async (page) => {
+      await openBlade(page, "uh60a", "UH-60A");
+      const wider = (place) => page.locator(place).evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
+      assert.deepEqual([await wider("html"), await wider(".numbers")], [0, 0]);
+    },
+  );
+}
+
 /** A page whose print() only says that it was called. */
 async function printing(page) {
   await page.evaluate(() => {
