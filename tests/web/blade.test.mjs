@@ -122,7 +122,7 @@ pageTest("units are converted, not reinterpreted, there and back", {}, async (pa
   assert.equal(await field(page, "lag.spring").inputValue(), "464");
 });
 
-pageTest("what-if sliders move the chart beside the blade as it is, and are kept or reset", {}, async (page) => {
+pageTest("what-if sliders move the chart beside the blade as it is, and are kept or reset", { model: "uncoupled" }, async (page) => {
   const before = await frequencies(page);
   const slider = page.locator("#what-if-factors-torsion_stiffness");
   await slider.fill("1");
@@ -145,7 +145,7 @@ pageTest("what-if sliders move the chart beside the blade as it is, and are kept
   assert.equal(await page.locator("#solve-faults li, #blade-faults li").count(), 0);
 });
 
-pageTest("mass scaled by what-if takes the polar inertia along, and the page says so", {}, async (page) => {
+pageTest("mass scaled by what-if takes the polar inertia along, and the page says so", { model: "uncoupled" }, async (page) => {
   const before = await frequencies(page);
   await page.locator("#what-if .slider", { hasText: "Mass and polar inertia" }).locator('input[type="range"]').fill("2");
   const heavy = await changed(page, "1T", before["1T"]);
@@ -154,11 +154,12 @@ pageTest("mass scaled by what-if takes the polar inertia along, and the page say
   const four = ({ r, values }) => ({ r, values: values.map((one) => 4 * one) });
   const { mass, polar_inertia: inertia } = blade.distribution;
   const times = (given) => (Array.isArray(given) ? given.map((one) => 4 * one) : typeof given === "number" ? 4 * given : four(given));
-  const expected = await call(page, "modes", { ...blade, distribution: { ...blade.distribution, mass: times(mass), polar_inertia: times(inertia) } });
+  const changedBlade = { ...blade, distribution: { ...blade.distribution, mass: times(mass), polar_inertia: times(inertia) } };
+  const expected = await call(page, "modes", changedBlade, { model: "uncoupled" });
   assert.equal(heavy, expected.value.modes.find(({ label }) => label === "1T").frequency_rad_s);
 });
 
-pageTest("what-if keeps its lengths when the units are switched, there and back", {}, async (page) => {
+pageTest("what-if keeps its lengths when the units are switched, there and back", { model: "uncoupled" }, async (page) => {
   const before = await frequencies(page);
   const offset = page.locator('[data-key="offsets.flap"] input[type="text"]');
   await page.locator("#what-if-from").selectOption("28.25");
@@ -195,7 +196,7 @@ pageTest("what-if keeps its lengths when the units are switched, there and back"
   assert.equal(await page.locator("#solve-faults li, #blade-faults li").count(), 0);
 });
 
-pageTest("another blade typed over the text begins without what-if", {}, async (page) => {
+pageTest("another blade typed over the text begins without what-if", { model: "uncoupled" }, async (page) => {
   const before = await frequencies(page);
   await page.locator("#what-if-factors-flap_stiffness").fill("1");
   await changed(page, "1F", before["1F"]);
@@ -203,7 +204,7 @@ pageTest("another blade typed over the text begins without what-if", {}, async (
   const { toml } = value.find(({ name }) => name === "bo105");
   await paste(page, toml);
   await page.locator("#message", { hasText: "“What if” is set back" }).waitFor();
-  const alone = (await call(page, "modes", (await call(page, "parse_blade", toml)).value)).value;
+  const alone = (await call(page, "modes", (await call(page, "parse_blade", toml)).value, { model: "uncoupled" })).value;
   await page.waitForFunction(
     (last) => Number(document.querySelector("#modes tbody td[data-full]").dataset.full) === last,
     alone.modes[0].frequency_rad_s,

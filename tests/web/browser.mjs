@@ -63,17 +63,26 @@ export async function watched(options) {
   return { page, complaints, close: () => context.close() };
 }
 
-/** Opens the calculator, watched, and waits for its first chart. */
-export async function open({ fragment = "", ...options } = {}) {
+/** Opens the calculator, watched, and waits for its first chart, or for the one of a `model` that is chosen. */
+export async function open({ fragment = "", model = null, ...options } = {}) {
   const opened = await watched(options);
   await opened.page.goto(`${site.origin}/${fragment}`);
   await drawn(opened.page);
+  if (model !== null) await chooseModel(opened.page, model);
   return opened;
+}
+
+/** Chooses a model, and waits until chart and table are its own. */
+export async function chooseModel(page, model) {
+  await page.locator("#model-choice").selectOption(model);
+  const words = new RegExp(`(^|\\s)${model}, in vacuum`);
+  await page.locator("#model", { hasText: words }).waitFor();
+  await page.locator("#chart > svg:not(.overlay) text", { hasText: words }).first().waitFor();
 }
 
 /** Waits until the chart, the table and the slider are there. */
 export async function drawn(page) {
   await page.locator("#chart > svg:not(.overlay)").waitFor();
-  await page.locator("#modes tbody tr").first().waitFor();
+  await page.locator("#modes tbody tr:not([hidden])").first().waitFor();
   await page.locator("#speed-slider:enabled").waitFor();
 }

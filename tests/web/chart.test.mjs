@@ -64,7 +64,7 @@ test("between the report's speeds a branch is read to a millionth", async () => 
   const { page, close } = await open();
   try {
     const blade = await bladeOf(page, "tm4760");
-    const { value: fan } = await call(page, "fan", blade);
+    const { value: fan } = await call(page, "fan", blade, { model: "uncoupled" });
     for (const [i, part] of [
       [1, 0.4],
       [30, 0.5],
@@ -72,7 +72,7 @@ test("between the report's speeds a branch is read to a millionth", async () => 
       [99, 0.5],
     ]) {
       const speed = fan.speeds_rad_s[i] + part * (fan.speeds_rad_s[i + 1] - fan.speeds_rad_s[i]);
-      const { value } = await call(page, "modes", blade, { speed });
+      const { value } = await call(page, "modes", blade, { speed, model: "uncoupled" });
       const { value: readings } = await call(page, "at_speed", fan, speed);
       for (const mode of value.modes) {
         const read = readings.find(({ label }) => label === mode.label).frequency_rad_s;
@@ -84,7 +84,7 @@ test("between the report's speeds a branch is read to a millionth", async () => 
   }
 });
 
-pageTest("the keys go along a branch and from branch to branch, and say so", {}, async (page) => {
+pageTest("the keys go along a branch and from branch to branch, and say so", { model: "uncoupled" }, async (page) => {
   await page.locator("#chart").focus();
   assert.match(
     await page.locator("#chart").getAttribute("aria-label"),
@@ -369,11 +369,11 @@ pageTest("measured points are drawn and compared, faults have lines, and texts s
   await page.locator("#measured-table").waitFor({ state: "hidden" });
 });
 
-pageTest("every chart is also a table", {}, async (page) => {
+pageTest("every chart is also a table", { model: "uncoupled" }, async (page) => {
   await page.locator("#chart-data summary").click();
   const tables = page.locator("#chart-data table");
   await tables.nth(2).waitFor();
-  const { value } = await reference(page);
+  const { value } = await reference(page, { model: "uncoupled" });
   const first = await tables.nth(2).locator("tbody tr").nth(50).locator("td").first().textContent();
   assert.ok(Math.abs(Number(first) / value.report.branches[0].frequency_rad_s[50] - 1) < 1e-3);
   assert.equal(await tables.nth(2).locator("tbody tr").count(), 101);

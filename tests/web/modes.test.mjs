@@ -9,7 +9,7 @@ import { REVOLUTION_S, largest, nodeWords, pace } from "../../web/modes/shape.js
 import { call, pageTest } from "./support.mjs";
 
 const modesTest = (name, options, body) =>
-  pageTest(name, { reducedMotion: "no-preference", ...options }, async (page) => {
+  pageTest(name, { reducedMotion: "no-preference", model: "uncoupled", ...options }, async (page) => {
     await page.locator("#motion-title", { hasText: "Mode 1F" }).waitFor();
     await body(page);
   });
@@ -73,13 +73,13 @@ test("the blade stays on the stage in its best view", () => {
     const project = camera(view, dof);
     for (const share of [-1, 1]) {
       for (const x of at) {
-        for (const point of chordAt(dof, x, share)) {
+        for (const point of chordAt(dof, x, { [dof]: share })) {
           const [left, top] = project(point);
           assert.ok(left >= 0 && left <= STAGE.width && top >= 0 && top <= STAGE.height, `${dof} ${x} ${share}: ${left}, ${top}`);
         }
       }
     }
-    const { face, edge, ribs } = platePaths(dof, at, [0, 0.3, 1], 1, project);
+    const { face, edge, ribs } = platePaths(dof, at, { [dof]: [0, 0.3, 1] }, 1, project);
     for (const path of [face, edge, ribs, ...Object.values(hubPaths(0.05, project))]) assert.doesNotMatch(path, /NaN|Infinity/);
   }
 });
@@ -123,7 +123,7 @@ test("the lesson is said in numbers of functions", () => {
 modesTest("the mode chosen in the table is shown with its nodes and moment", {}, async (page) => {
   assert.match(await page.locator("#motion-nodes").textContent(), /^No node between root and tip; hinged at r\/R 0\.055/);
   await choose(page, "3F");
-  const { value } = await call(page, "shapes", await blade(page, "tm4760"), { dof: ["flap"], points: 121 });
+  const { value } = await call(page, "shapes", await blade(page, "tm4760"), { model: "uncoupled", dof: ["flap"], points: 121 });
   const shape = value.shapes.find(({ label }) => label === "3F");
   const nodes = shape.nodes_m.map((r) => r / value.radius_m);
   assert.equal(nodes.length, 2);
@@ -187,7 +187,7 @@ modesTest("true relative frequency: 2F is faster than 1F by the true ratio", {},
   const first = await pace();
   await choose(page, "2F");
   const second = await pace();
-  const { value } = await call(page, "modes", await blade(page, "tm4760"));
+  const { value } = await call(page, "modes", await blade(page, "tm4760"), { model: "uncoupled" });
   const [f1, f2] = value.modes.map((mode) => mode.frequency_rad_s);
   assert.ok(Math.abs(second / first - f2 / f1) < 1e-9);
   await page.locator("#motion-relative").uncheck();
@@ -246,7 +246,7 @@ modesTest("every mode of every blade is drawn from numbers", {}, async (page) =>
 });
 
 modesTest("near modes are worded and coloured, and the words explained", {}, async (page) => {
-  const { value } = await call(page, "modes", await blade(page, "tm4760"));
+  const { value } = await call(page, "modes", await blade(page, "tm4760"), { model: "uncoupled" });
   for (const { label, near, words } of await table(page)) {
     const mode = value.modes.find((mode) => mode.label === label);
     assert.equal(near, nearness(mode, 10), label);
@@ -268,7 +268,7 @@ modesTest("what moves a near mode is what the package says it does", {}, async (
     ...tm,
     distribution: { ...tm.distribution, flap_stiffness: tm.distribution.flap_stiffness.map((value) => value * factor) },
   });
-  const margin = async (factor) => (await call(page, "modes", scaled(factor), { dof: ["flap"] })).value.modes[2].margin_per_rev;
+  const margin = async (factor) => (await call(page, "modes", scaled(factor), { model: "uncoupled", dof: ["flap"] })).value.modes[2].margin_per_rev;
   assert.ok(Math.abs((await margin(1.01)) - (await margin(1)) - Number(slope)) < 1e-3, words);
   assert.ok(Math.abs((await margin(1 + Number(change) / 100)) - NEAR) < 2e-3, words);
   assert.match(await page.locator("#movers li", { hasText: "1F" }).textContent(), /hardly move 1F\. 1F of a hinged blade lies near 1P\./);
@@ -328,6 +328,18 @@ for (const [width, columns] of [
       assert.deepEqual(fits, { page: 0, table: 0, columns }, name);
     }
   });
+}
+
+for (const width of [360, 390, 820, 1280]) {
+  modesTest(
+    `at ${width} px the table of a coupled blade scrolls nowhere sideways`,
+    { model: "coupled", viewport: { width, height: 800 } },
+    async (page) => {
+      await openBlade(page, "uh60a", "UH-60A");
+      const wider = (place) => page.locator(place).evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
+      assert.deepEqual([await wider("html"), await wider(".numbers")], [0, 0]);
+    },
+  );
 }
 
 /** A page whose print() only says that it was called. */
@@ -451,4 +463,14 @@ modesTest("a full report still has one page, and says what it leaves out", {}, a
   assert.match(await text(), /The lowest 18 of 30 modes\./);
   assert.match(await text(), /The first 26 of 60 stations\./);
   await fitsPaper(page, "many-modes");
+});
+
+modesTest("the report of a coupled blade has its shares, and one page", { model: "coupled" }, async (page) => {
+  await printing(page);
+  await openBlade(page, "uh60a", "UH-60A");
+  await page.locator("#print").evaluate((button) => button.click());
+  await page.waitForFunction(() => window.prints === 1);
+  const text = await page.locator("#report").textContent();
+  for (const words of ["F, L, T %", "1T/F", "27, 21, 52", "coupled, in vacuum"]) assert.ok(text.includes(words), `${words} in ${text}`);
+  await fitsPaper(page, "coupled");
 });

@@ -29,7 +29,7 @@ pageTest("the first visit shows the TM 4760 blade and says what to try", {}, asy
   const { value } = await call(page, "modes", (await call(page, "parse_blade", await built(page, "tm4760"))).value);
   assert.deepEqual(table, Object.fromEntries(value.modes.map((mode) => [mode.label, mode.frequency_rad_s])));
   assert.match(await page.locator("#closest").textContent(), /^1F is 0\.05\/rev above 1P at 660 rpm/);
-  assert.match(await page.locator("#model").textContent(), /uncoupled, in vacuum, zero pitch/);
+  assert.match(await page.locator("#model").textContent(), /; coupled, in vacuum, pitch 0°/);
 });
 
 pageTest("every built-in blade draws all three charts", {}, async (page) => {
@@ -129,7 +129,7 @@ pageTest("text that is no blade at all shows its faults", {}, async (page) => {
   }
 });
 
-pageTest("the slider moves the table, the line and the margins", {}, async (page) => {
+pageTest("the slider moves the table, the line and the margins", { model: "uncoupled" }, async (page) => {
   const nominal = await tableAt(page, "660 rpm");
   const line = page.locator(".overlay line");
   const x = Number(await line.getAttribute("x1"));
@@ -139,7 +139,7 @@ pageTest("the slider moves the table, the line and the margins", {}, async (page
   assert.equal(half["1F"] === nominal["1F"], false);
   assert.ok(Number(await line.getAttribute("x1")) < x);
   const { value: blade } = await call(page, "parse_blade", await built(page, "tm4760"));
-  const { value } = await call(page, "margins", blade, { speed: "330rpm" });
+  const { value } = await call(page, "margins", blade, { speed: "330rpm", model: "uncoupled" });
   const words = Object.fromEntries((await rows(page)).map((row) => [row[0], row[6]]));
   for (const margin of value) assert.match(words[margin.label], new RegExp(`(above|below|on) ${margin.nearest_harmonic}P$`));
 
@@ -170,7 +170,7 @@ pageTest("the speed is dragged on the chart, typed, and shown in other units", {
   await page.locator("#chart svg text", { hasText: "frequency [Hz]" }).waitFor();
 });
 
-pageTest("options reach the solver and their faults stand where they were made", {}, async (page) => {
+pageTest("options reach the solver and their faults stand where they were made", { model: "uncoupled" }, async (page) => {
   assert.equal(await page.locator("#paper-column").textContent(), "paper N=15");
   await page.locator("#option-modes").fill("2");
   await page.waitForFunction(() => document.querySelectorAll("#modes tbody tr").length === 6);
@@ -231,7 +231,7 @@ pageTest("downloads arrive and hold what the page shows", {}, async (page) => {
   await page.locator("#tab-shapes").click();
   await page.locator('#chart > svg[aria-label^="Mode shapes"]').waitFor();
   const shapes = await download("csv");
-  assert.match(shapes.bytes.toString().split("\n")[0], /^r \[m\],1F displacement,1F slope \[1\/m\],1F moment \[N·m\]/);
+  assert.match(shapes.bytes.toString().split("\n")[0], /^r \[m\],1F flap,1F flap slope \[1\/m\],1F flap moment \[N·m\]/);
   assert.equal(shapes.bytes.toString().trimEnd().split("\n").length, 102);
 });
 

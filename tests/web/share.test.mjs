@@ -20,6 +20,7 @@ const state = {
   band: [0.8, 1.2],
   window: null,
   chosen: "2F",
+  model: "uncoupled",
   options: { modes: "4" },
   measured: "a,b",
   whatIf: NEUTRAL,
@@ -68,7 +69,8 @@ test("what is broken or hostile is refused in words", async () => {
     whatIf: { factors: { mass: -2 } },
     window: { speeds: ["a"] },
   };
-  assert.deepEqual(Object.keys((await unpack(await pack({ ...state, ...odd }))).view).sort(), ["chosen", "frequencyUnit", "measured", "speedUnit"]);
+  const { view } = await unpack(await pack({ ...state, ...odd }));
+  assert.deepEqual(Object.keys(view).sort(), ["chosen", "frequencyUnit", "measured", "model", "speedUnit"]);
 });
 
 test("a view is held to what a page may be asked for", async () => {
@@ -127,7 +129,7 @@ test("what has the form of a blade may be shown with its faults, and nothing els
 });
 
 test("a link carries blade and view to another browser", async () => {
-  const first = await open();
+  const first = await open({ model: "uncoupled" });
   let link, expected;
   try {
     const { page } = first;

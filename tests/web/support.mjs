@@ -7,7 +7,7 @@ import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { open, start } from "./browser.mjs";
 
-export { drawn, open, site, watched } from "./browser.mjs";
+export { chooseModel, drawn, open, site, watched } from "./browser.mjs";
 
 /** Where pictures of the page go, to be looked at. */
 export const screenshots = fileURLToPath(new URL("screenshots/", import.meta.url));

@@ -29,6 +29,7 @@ import { isShared, startKeepingUp } from "../solver/keep-up.js";
 import { Solver } from "../solver/lanes.js";
 import { compiledModule, inTime } from "../solver/module.js";
 import { startStations } from "../stations/tab.js";
+import { startOptions } from "./options.js";
 import { startSession } from "./session.js";
 import { startShare } from "./share.js";
 import { FIRST_BLADE, createStore } from "./state.js";
@@ -77,24 +78,13 @@ startLesson(store);
 startMovers(store, client);
 copyFull(at("modes"));
 
+startOptions(store);
+
 const address = startShare(store, open, say);
 const fromLastVisit = startSession(store, open, say, address.outgrow);
 store.subscribe(
   ({ blade, doc, whatIf, faults }, changed) => changed.has("blade") && faults.length === 0 && store.set({ good: isNeutral(whatIf) ? blade : doc }),
 );
-
-const optionFields = [.../** @type {NodeListOf<HTMLInputElement | HTMLSelectElement>} */ (document.querySelectorAll("[data-option]"))];
-store.subscribe(({ options }, changed) => {
-  if (!changed.has("options")) return;
-  for (const field of optionFields) {
-    if (field !== document.activeElement && options[field.dataset.option] !== undefined) field.value = options[field.dataset.option];
-  }
-});
-for (const field of optionFields) {
-  field.addEventListener("input", () => {
-    store.set({ options: Object.fromEntries(optionFields.map((input) => [input.dataset.option, input.value])) });
-  });
-}
 
 const tabs = [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('[role="tab"]'))];
 function chooseTab(tab) {
@@ -152,7 +142,7 @@ async function start() {
   if ((await found(address.open)) || (await found(fromLastVisit)) || open.begun()) return open.haveBlade();
   const first = blades.find((blade) => blade.name === FIRST_BLADE) ?? blades[0];
   open(first.toml, first.name);
-  at("hint").textContent = `This is the ${first.title}. Drag the line on the chart, or a slider under “What if”, and watch the branches move.`;
+  at("hint").textContent = `The ${first.title}. Drag the line on the chart, or a slider under “What if”.`;
   at("hint").hidden = false;
 }
 start();

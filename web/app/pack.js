@@ -37,6 +37,7 @@ const VIEW = {
   band: listOf([2], notNegative),
   window: orNull(tableOf(["speeds", "frequencies"], listOf([2, 3], notNegative))),
   chosen: text(8),
+  model: oneOf("auto", "uncoupled", "coupled"),
   options: tableOf(["modes", "functions", "harmonics", "basis"], text(12)),
   measured: text(200_000),
   whatIf: (value) =>
@@ -110,6 +111,11 @@ export function checked(given) {
       .filter(([key, good]) => Object.hasOwn(offered, key) && good(offered[key]))
       .map(([key]) => [key, offered[key]]),
   );
+  if (view.model === undefined) {
+    view.model = "auto";
+    // An older page kept the number of modes of each kind where it was left alone, too.
+    if (view.options?.modes === "5") view.options = { ...view.options, modes: undefined };
+  }
   if (view.whatIf) view.whatIf = { ...view.whatIf, length: view.whatIf.length ?? null };
   const refused = tooMuch(view);
   if (refused !== null) view.window = null;

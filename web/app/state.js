@@ -26,7 +26,8 @@ export const STATE = {
   whatIf: NEUTRAL, // changes for a look, beside the blade
 
   // What is asked for.
-  options: {}, // of the solution: modes, functions, harmonics, basis, as the fields hold them
+  model: "auto", // auto, uncoupled or coupled
+  options: {}, // of the solution: modes, functions, harmonics, basis, as the fields hold them; the rest as the package has it
   speed: null, // {value, unit}; null is nominal
   band: [0.9, 1.1], // operating band, as ratios of nominal speed
   window: null, // {speeds: [from, to, count] rad/s, frequencies: [from, to] in the axis's unit} when zoomed

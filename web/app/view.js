@@ -15,17 +15,19 @@ import { FIRST_BLADE } from "./state.js";
 const TITLES = { fan: "Fan chart", shapes: "Mode shapes", converge: "Convergence" };
 
 function showNumbers(state, onChoose) {
-  const { modes } = state;
+  const { modes, dofs } = state;
   if (modes === null) return;
+  const seen = modes.modes.filter(({ dof }) => dofs.includes(dof));
   const speed = `${fieldNumber(shownSpeed(state.solvedSpeed, state))} ${state.speedUnit}`;
   write(at("numbers-title"), `Frequencies at ${speed}${state.solvedSpeed === null ? ", nominal" : ""}`);
-  showModes(at("modes").tBodies[0], modes, onChoose, state.fan?.harmonics);
-  write(at("closest"), closestWords(modes.modes, speed, state.fan?.harmonics));
+  showModes(at("modes").tBodies[0], modes, { dofs, harmonics: state.fan?.harmonics, onChoose });
+  at("shares-column").hidden = modes.model.kind !== "coupled";
+  write(at("closest"), closestWords(seen, speed, state.fan?.harmonics));
   const harmonics = state.fan?.harmonics;
-  const someNear = harmonics !== undefined && nearModes(modes.modes, harmonics).length > 0;
+  const someNear = harmonics !== undefined && nearModes(seen, harmonics).length > 0;
   write(at("near-note"), someNear ? nearNote(harmonics) : "");
   write(at("paper-column"), `paper N=${modes.classical_functions}`);
-  write(at("model"), `${basisWords(modes.basis)}; ${state.about.model}`);
+  write(at("model"), `${basisWords(modes.basis)}; ${modes.model.words}`);
   const title = `${modes.blade} – bladefan`;
   if (document.title !== title) document.title = title;
 }
@@ -107,9 +109,9 @@ export function startView(store, chart, tryAgain) {
     }
     if (any("fan", "modes", "speed", "speedUnit")) showSpeed(state);
     // Of the chart they need the harmonics alone; every step of a slider brings another chart.
-    if (any("modes", "speedUnit") || (any("fan") && state.fan.harmonics !== harmonics)) showNumbers(state, (chosen) => store.set({ chosen }));
+    if (any("modes", "speedUnit", "dofs") || (any("fan") && state.fan.harmonics !== harmonics)) showNumbers(state, (chosen) => store.set({ chosen }));
     harmonics = state.fan?.harmonics;
-    if (any("modes", "chosen")) showChosen(at("modes").tBodies[0], state.chosen);
+    if (any("modes", "chosen") && state.modes !== null) showChosen(at("modes").tBodies[0], state.modes.modes, state.chosen);
     if (any("fan", "speed")) chart.mark(chosenSpeed(state));
     if (any("speed", "choice", "whatIf", "tab")) at("hint").hidden ||= state.speed !== null || state.choice !== FIRST_BLADE || state.tab !== "fan";
   });

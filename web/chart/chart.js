@@ -116,7 +116,7 @@ export class Chart {
       return;
     }
     const x = frame.x(speed);
-    const dots = frame.points(speed).map(({ branch, y }) => element("circle", { cx: x, cy: y, r: 4, "data-dof": branch.dof }));
+    const dots = frame.points(speed).map(({ dof, y }) => element("circle", { cx: x, cy: y, r: 4, "data-dof": dof }));
     this.layers.mark.replaceChildren(element("line", { x1: x, x2: x, y1: frame.top, y2: frame.bottom }), ...dots);
     this.put(this.#handle, x, frame.bottom);
     this.value(this.#handle, {

@@ -1,5 +1,7 @@
 // The frame of a fan chart: from pixels to numbers and back, and where the drawn lines are.
 
+import { labelAt, motionsOf } from "../lib/labels.js";
+
 /** How many rad/s one unit of speed or frequency is, by its name. */
 const RAD_S = {};
 /** Far outside of every drawing, and still a number that a path takes. */
@@ -73,7 +75,10 @@ export class Frame {
     return x >= this.left - margin && x <= this.right + margin && y >= this.top - margin && y <= this.bottom + margin;
   }
 
-  /** Where the drawn lines of the branches are at a speed, as far as that is in the frame: {branch, x, y, slope}. */
+  /**
+   * Where the drawn lines of the branches are at a speed, as far as that is in the frame: {branch, dof, x, y, slope}
+   * with the place among the branches and the motion that leads there.
+   */
   points(speed) {
     const { speeds_rad_s: speeds, branches } = this.report;
     const beyond = speeds.findIndex((each) => each > speed);
@@ -81,11 +86,11 @@ export class Frame {
     const x = this.x(speed);
     const [from, to] = [high - 1, high].map((i) => this.x(speeds[i]));
     return branches
-      .map((branch) => {
-        const [low, up] = [high - 1, high].map((i) => this.y(branch.frequency_rad_s[i], speeds[i]));
+      .map((line, branch) => {
+        const [low, up] = [high - 1, high].map((i) => this.y(line.frequency_rad_s[i], speeds[i]));
         const slope = (up - low) / (to - from);
-        return { branch, x, y: low + slope * (x - from), slope };
+        return { branch, dof: motionsOf(labelAt(line, speed))[0], x, y: low + slope * (x - from), slope };
       })
-      .filter((point) => this.holds(point, 0.5));
+      .filter((point) => this.holds(point, 0.5)); // nor where there is no frequency
   }
 }

@@ -41,7 +41,7 @@ export function startHover(chart, read, onSpeed) {
   box.setAttribute("aria-hidden", "true");
   host.append(box);
   const said = at("chart-said");
-  let place = null; // {point} of the pointer, or {label, speed} of the keys
+  let place = null; // {point} of the pointer, or {branch, speed} of the keys, by its place
   let shown = null; // the point that is shown, or is to be as soon as its numbers are there
 
   /** Shows no point; gives null, as there are no lines of it. */
@@ -61,15 +61,15 @@ export function startHover(chart, read, onSpeed) {
   /** Shows a point at once and its numbers as soon as they are there; resolves to the lines. */
   async function put(point) {
     const { frame } = chart;
-    const { branch, speed, x, y } = point;
+    const { branch, dof, speed, x, y } = point;
     shown = point;
-    chart.layers.hover.replaceChildren(element("circle", { cx: x, cy: y, r: 5.5, "data-dof": branch.dof }));
+    chart.layers.hover.replaceChildren(element("circle", { cx: x, cy: y, r: 5.5, "data-dof": dof }));
     const readings = await read(frame.report, speed);
-    const reading = readings?.find(({ label }) => label === branch.label);
+    const reading = readings?.find((reading) => reading.branch === branch);
     if (shown !== point || reading === undefined) return null;
     const lines = words(reading, speed, frame.speedUnit, frame.shown(speed));
     box.replaceChildren(...lines.map((text) => Object.assign(document.createElement("div"), { textContent: text })));
-    box.dataset.dof = branch.dof;
+    box.dataset.dof = dof;
     // Beside the point, on the side that has room.
     box.classList.toggle("leftward", x > (frame.left + frame.right) / 2);
     box.classList.toggle("downward", y < frame.top + 0.3 * frame.plot.height);
@@ -93,7 +93,7 @@ export function startHover(chart, read, onSpeed) {
       return put(found);
     }
     const points = frame.points(place.speed);
-    const point = points.find(({ branch }) => branch.label === place.label);
+    const point = points.find(({ branch }) => branch === place.branch);
     if (point === undefined) return hide();
     return put({ ...point, speed: place.speed });
   }
@@ -117,16 +117,16 @@ export function startHover(chart, read, onSpeed) {
   function begin(frame) {
     const [from, to] = frame.speeds;
     const speed = place?.point ? frame.speed(place.point.x) : (place?.speed ?? (from + to) / 2);
-    if (place?.label) return { label: place.label, speed: Math.min(to, Math.max(from, speed)) };
+    if (place?.branch !== undefined) return { branch: place.branch, speed: Math.min(to, Math.max(from, speed)) };
     const found = place?.point ? nearest(frame, place.point) : frame.points(speed)[0];
-    return found ? { label: found.branch.label, speed } : null;
+    return found ? { branch: found.branch, speed } : null;
   }
 
   /** From branch to branch by height, at the same speed. */
-  function climb(frame, { label, speed }, steps) {
+  function climb(frame, { branch, speed }, steps) {
     const points = frame.points(speed).sort((a, b) => b.y - a.y);
-    const now = points.findIndex(({ branch }) => branch.label === label);
-    return points[Math.min(points.length - 1, Math.max(0, now + steps))]?.branch.label ?? label;
+    const now = points.findIndex((point) => point.branch === branch);
+    return points[Math.min(points.length - 1, Math.max(0, now + steps))]?.branch ?? branch;
   }
 
   host.addEventListener("keydown", (event) => {
@@ -137,7 +137,7 @@ export function startHover(chart, read, onSpeed) {
     const along = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     const up = { ArrowUp: 1, ArrowDown: -1 }[event.key];
     const end = { Home: 0, End: 1 }[event.key];
-    if (event.key === "Enter" && place?.label) return onSpeed(frame.shown(place.speed));
+    if (event.key === "Enter" && place?.branch !== undefined) return onSpeed(frame.shown(place.speed));
     if (along === undefined && up === undefined && end === undefined) return;
     event.preventDefault();
     place = begin(frame);
@@ -146,7 +146,7 @@ export function startHover(chart, read, onSpeed) {
     if (!fresh || end !== undefined) {
       const step = ((event.shiftKey ? 10 : 1) * (to - from)) / STEPS;
       if (along) place.speed = Math.min(to, Math.max(from, place.speed + along * step));
-      if (up) place.label = climb(frame, place, up);
+      if (up) place.branch = climb(frame, place, up);
       if (end !== undefined) place.speed = [from, to][end];
     }
     const coming = show();

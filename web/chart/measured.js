@@ -3,6 +3,7 @@
 import { at, make } from "../lib/dom.js";
 import { listFaults } from "../lib/faults.js";
 import { fieldNumber, figures, percentWords } from "../lib/format.js";
+import { labelAt } from "../lib/labels.js";
 import { inUnit } from "./frame.js";
 
 const LARGEST = 200_000;
@@ -12,11 +13,12 @@ const COMPARE_MS = 150;
 /** Points a little off this chart's branches, as an example of the columns. */
 function example(fan) {
   const [first, last] = [0.5, 1].map((share) => Math.round(share * (fan.speeds_rad_s.length - 1)));
-  const rows = fan.branches.slice(0, 2).flatMap((branch, n) =>
+  const whole = fan.branches.filter((branch) => [first, last].every((i) => Number.isFinite(branch.frequency_rad_s[i])));
+  const rows = whole.slice(0, 2).flatMap((branch, n) =>
     [first, last].map((i) => {
       const rpm = inUnit(fan.speeds_rad_s[i], 0, "rpm").toFixed(0);
       const hz = inUnit(branch.frequency_rad_s[i] * (n === 0 ? 1.02 : 0.97), 0, "Hz").toPrecision(4);
-      return `${branch.label},${rpm},${Number(hz)},made up`;
+      return `${labelAt(branch, fan.speeds_rad_s[i])},${rpm},${Number(hz)},made up`;
     }),
   );
   return ["label,speed [rpm],frequency [Hz],source", ...rows, ""].join("\n");
@@ -105,10 +107,10 @@ export function startMeasured(store, client) {
   }
 
   async function compare() {
-    const { blade, measured, options } = store.get();
+    const { blade, measured, model, options } = store.get();
     if (blade === null || measured === "" || !details.open) return;
     const { modes, functions, basis } = options;
-    const result = await client.call("compare", "compare", blade, measured, { modes, functions, basis });
+    const result = await client.call("compare", "compare", blade, measured, { model, modes, functions, basis });
     if (result?.status !== "ok" || store.get().measured !== measured) return;
     points = result.value;
     show();
@@ -193,7 +195,7 @@ export function startMeasured(store, client) {
       details.open ||= state.measured !== "";
     }
     if (any("measured", "speedUnit", "frequencyUnit")) show();
-    if (any("measured", "blade", "options") && details.open) {
+    if (any("measured", "blade", "model", "options") && details.open) {
       clearTimeout(comparing);
       comparing = setTimeout(compare, COMPARE_MS);
     }

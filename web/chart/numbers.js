@@ -2,6 +2,8 @@
 
 import { at } from "../lib/dom.js";
 import { closestOf, crossingWords, fieldNumber, figures, marginWords, perRevWords } from "../lib/format.js";
+import { labelAt } from "../lib/labels.js";
+import { shapeColumns } from "../lib/shape-columns.js";
 import { inUnit } from "./frame.js";
 
 const WAIT_MS = 250;
@@ -24,13 +26,26 @@ function table(caption, header, rows) {
   return made;
 }
 
-const shown = (value) => (value === null || !Number.isFinite(value) ? "–" : figures(value));
+/** Where branches of a coupled blade cross, or turn away from one another. */
+function veeringsTable({ branches, veerings }, speedUnit, unit, { speed, frequency }) {
+  return table(
+    "Where branches cross, or veer away from one another",
+    ["branches", "", `rotor speed [${speedUnit}]`, `frequency [${unit}]`, `gap [${unit}]`],
+    veerings.map(({ branches: pair, kind, speed_rad_s: at, frequency_rad_s: mean, gap_rad_s: gap }) => [
+      pair.map((branch) => labelAt(branches[branch], at)).join(", "),
+      kind,
+      speed(at),
+      frequency(mean, at),
+      frequency(gap, at),
+    ]),
+  );
+}
 
 function fanTables({ plots, report }) {
   const [{ x, y }] = plots;
   const speed = (value) => fieldNumber(inUnit(value, 0, x.unit));
-  const frequency = (value, at) => shown(inUnit(value, at, y.unit));
-  const { speeds_rad_s: speeds, branches, crossings, coincident, nominal } = report;
+  const frequency = (value, at) => figures(inUnit(value, at, y.unit));
+  const { speeds_rad_s: speeds, branches, crossings, coincident, nominal, veerings = [] } = report;
   return [
     table(
       `Distances to the nearest harmonic at nominal speed, ${speed(nominal.speed_rad_s)} ${x.unit}`,
@@ -49,6 +64,7 @@ function fanTables({ plots, report }) {
         ]),
       ],
     ),
+    ...(veerings.length === 0 ? [] : [veeringsTable(report, x.unit, y.unit, { speed, frequency })]),
     table(
       `Frequencies [${y.unit}] over rotor speed`,
       [x.unit, ...branches.map(({ label }) => label)],
@@ -59,12 +75,11 @@ function fanTables({ plots, report }) {
 
 function shapesTables({ report }) {
   const { r_m: radii, shapes } = report;
-  const quantities = { displacement: "Displacement", slope: "Slope [1/m]", moment: "Moment [N·m]" };
-  return Object.entries(quantities).map(([key, name]) =>
+  return shapeColumns(report).map(({ name, of }) =>
     table(
-      `${name} along the span`,
+      `${name[0].toUpperCase()}${name.slice(1)} along the span`,
       ["r [m]", ...shapes.map(({ label }) => label)],
-      radii.map((r, i) => [fieldNumber(r), ...shapes.map((shape) => shown(shape[key][i]))]),
+      radii.map((r, i) => [fieldNumber(r), ...shapes.map((shape) => figures(of(shape)[i]))]),
     ),
   );
 }
@@ -77,19 +92,19 @@ function convergeTables({ report }) {
     table(
       "Converged frequency and its bounds [rad/s]",
       ["mode", "converged", "lower bound", "upper bound"],
-      series.map((one) => [one.label, shown(one.converged_rad_s), shown(one.lower_rad_s), shown(one.upper_rad_s)]),
+      series.map((one) => [one.label, figures(one.converged_rad_s), figures(one.lower_rad_s), figures(one.upper_rad_s)]),
     ),
     table(
       "The paper’s functions: frequency [rad/s] by their number",
       ["functions", ...labels],
-      functions.map((count, i) => [String(count), ...series.map((one) => shown(one.classical_rad_s[i]))]),
+      functions.map((count, i) => [String(count), ...series.map((one) => figures(one.classical_rad_s[i]))]),
     ),
     table(
       "Piecewise functions: number, and frequency [rad/s]",
       ["refinement", ...labels],
       Array.from({ length: most }, (_, i) => [
         String(i + 1),
-        ...series.map((one) => (i < one.piecewise_functions.length ? `${one.piecewise_functions[i]}: ${shown(one.piecewise_rad_s[i])}` : "–")),
+        ...series.map((one) => (i < one.piecewise_functions.length ? `${one.piecewise_functions[i]}: ${figures(one.piecewise_rad_s[i])}` : "–")),
       ]),
     ),
   ];

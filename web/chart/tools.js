@@ -2,13 +2,12 @@
 
 import { dofToggles } from "../lib/dof-toggles.js";
 import { at } from "../lib/dom.js";
+import { motionsOf } from "../lib/labels.js";
 import { windowIn } from "./zoom.js";
 
 /** Names of units as they are read. */
 const SHOWN = { "per-rev": "/rev" };
 
-/** The degree of freedom that the letter of a label such as "2F" stands for. */
-const DOF_OF = { F: "flap", L: "lag", T: "torsion" };
 /** Tabs whose drawing is of some of them. */
 const TABS = ["shapes", "converge"];
 
@@ -17,6 +16,8 @@ export function startChartTools(store) {
   const { labels: toggles, show } = dofToggles("show", (dofs) => store.set({ dofs }));
   show(store.get().dofs);
   at("chart-tools").prepend(...toggles);
+  const model = at("model-choice");
+  model.addEventListener("change", () => store.set({ model: model.value }));
   const unit = at("frequency-unit");
   unit.addEventListener("change", () => {
     const { window, frequencyUnit } = store.get();
@@ -29,6 +30,7 @@ export function startChartTools(store) {
     }
     // A view from a link or the last visit sets these, too.
     if (changed.has("about") || changed.has("frequencyUnit")) unit.value = state.frequencyUnit;
+    if (changed.has("model")) model.value = state.model;
     if (changed.has("dofs")) show(state.dofs);
     if (changed.has("tab")) {
       const other = state.tab === "shapes" || state.tab === "converge";
@@ -49,8 +51,8 @@ export function startCloseTools(store) {
   };
   store.subscribe((state, changed) => {
     if (changed.has("chosen")) {
-      const dof = DOF_OF[state.chosen.at(-1)];
-      if (!state.closeDofs.includes(dof)) store.set({ closeDofs: [dof] });
+      const [dof] = motionsOf(state.chosen);
+      if (dof !== undefined && !state.closeDofs.includes(dof)) store.set({ closeDofs: [dof] });
     }
     if (changed.has("tab") || changed.has("closeDofs")) show(store.get());
   });

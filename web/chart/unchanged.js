@@ -9,11 +9,17 @@ const HIGHEST = 1e5;
 /** A branch in the units of the axes: it stays while the frame is scaled and moved. */
 function path({ speedUnit, unit }, before, branch) {
   let line = "";
+  let pen = "M";
   branch.frequency_rad_s.forEach((frequency, i) => {
     const speed = before.speeds_rad_s[i];
     const value = inUnit(frequency, speed, unit);
-    if (Number.isNaN(value)) return; // nothing per revolution at rest
-    line += `${line === "" ? "M" : "L"}${inUnit(speed, 0, speedUnit).toPrecision(6)} ${Math.min(HIGHEST, value).toPrecision(6)}`;
+    // Nothing per revolution at rest, and a gap where the blade is unstable.
+    if (Number.isNaN(value)) {
+      pen = "M";
+      return;
+    }
+    line += `${pen}${inUnit(speed, 0, speedUnit).toPrecision(6)} ${Math.min(HIGHEST, value).toPrecision(6)}`;
+    pen = "L";
   });
   return line;
 }

@@ -7,8 +7,9 @@ const FOUR_FIGURES = new Intl.NumberFormat("en-GB", {
   useGrouping: false,
 });
 
-/** Four significant figures, with a real minus sign. */
+/** Four significant figures, with a real minus sign; nothing is known of what is no number. */
 export function figures(value) {
+  if (!Number.isFinite(value)) return "–";
   if (value === 0) return "0";
   return FOUR_FIGURES.format(value).replace("-", "−");
 }
@@ -32,6 +33,18 @@ export function fieldValue(text) {
   const number = Number(decimal ? plain.replace(",", ".") : plain);
   return Number.isFinite(number) ? number : text.trim();
 }
+
+/** The frequency of a mode; a coupled one may have none. */
+export const frequencyWords = (mode) => (mode.unstable ? "unstable" : figures(mode.frequency_rad_s));
+
+/** A share of a mode's energy in percent; the rounding of none may be below 0. */
+export const shareFigure = (share) => (100 * Math.max(0, share)).toFixed(0);
+
+/** "flap 26 %, lag 21 %, torsion 52 %", the motions' shares of a mode's energy. */
+export const sharesWords = (shares) =>
+  Object.entries(shares)
+    .map(([motion, share]) => `${motion} ${shareFigure(share)} %`)
+    .join(", ");
 
 /** "0.31 below 3P", with a unit after the number where one is given; nothing is known at rest. */
 export function marginWords({ nearest_harmonic: harmonic, margin_per_rev: distance }, unit = "") {
@@ -73,8 +86,17 @@ function roundedUp(value) {
   return `${digit}·10${[...String(power)].map((letter) => RAISED[letter]).join("")}`;
 }
 
+/** "separation not proven (about 2·10⁻⁵)" where a mode has no bounds; empty where it has. */
+function missingWords({ bounds_missing: missing, error_estimate_rad_s: error }, unit) {
+  if (!missing) return "";
+  return error === null ? missing : `${missing} (about ${roundedUp(error)}${unit})`;
+}
+
 /** "±2·10⁻⁹" around the frequency, with a unit after it where one is given, or both bounds where they are far apart. */
-export function boundsWords({ frequency_rad_s: frequency, lower_rad_s: lower, upper_rad_s: upper }, unit = "") {
+export function boundsWords(mode, unit = "") {
+  const missing = missingWords(mode, unit);
+  if (missing !== "") return missing;
+  const { frequency_rad_s: frequency, lower_rad_s: lower, upper_rad_s: upper } = mode;
   if (lower === null || upper === null) return "–";
   if (!(upper - lower <= CONVERGED * frequency || upper === lower)) return `${figures(lower)}\u00a0…\u00a0${figures(upper)}, not\u00a0converged`;
   const half = Math.max(frequency - lower, upper - frequency, 0);
@@ -105,9 +127,9 @@ export const paperWords = ({ classical_rad_s: classical, converged_rad_s: conver
 /** What a word must not begin with in a spreadsheet, which takes such words for formulas, and some wide letters for the narrow ones. */
 const FORMULA = /^[=+\-@\t\r\n\uff1d\uff0b\uff0d\uff20]/;
 
-/** A cell for a spreadsheet: every digit of a number; a word that begins like a formula with an apostrophe before it; nothing for null. */
+/** A cell for a spreadsheet: every digit of a number; a word that begins like a formula with an apostrophe before it; nothing for null or NaN. */
 export function cellText(value) {
-  if (typeof value === "number") return String(value);
+  if (typeof value === "number") return Number.isNaN(value) ? "" : String(value);
   const text = String(value ?? "");
   return FORMULA.test(text) ? `'${text}` : text;
 }

@@ -2,16 +2,18 @@
 
 import { at } from "../lib/dom.js";
 import { boundsWords, figures, paperWords } from "../lib/format.js";
+import { modeOf, nameOf } from "../lib/labels.js";
 
 /** Piecewise functions closer than this to the converged frequency have converged. */
 const CONVERGED = 1e-9;
 
 const off = (value, converged) => paperWords({ classical_rad_s: value, converged_rad_s: converged });
 
-/** The lesson of one series of a convergence report; `functions` is how many of the paper's are asked for. */
-export function lessonWords(report, label, functions) {
-  const series = report.series.find((series) => series.label === label);
+/** The lesson of the series of a mode in a convergence report; `functions` is how many of the paper's are asked for. */
+export function lessonWords(report, name, functions) {
+  const series = report.series.find((series) => nameOf(series) === name);
   if (series === undefined || series.converged_rad_s === null) return "";
+  const { label } = series;
   const { classical_rad_s: classical, converged_rad_s: converged, piecewise_functions: counts, piecewise_rad_s: piecewise } = series;
   const known = report.functions.filter((_, i) => classical[i] !== null);
   const sentences = [];
@@ -39,7 +41,9 @@ export function startLesson(store) {
     if (!["drawing", "chosen", "options", "tab"].some((key) => changed.has(key))) return;
     const shown = state.tab === "converge" && state.drawing?.kind === "converge";
     place.hidden = !shown;
-    if (shown) place.textContent = lessonWords(state.drawing.report, state.chosen, Number(state.options.functions ?? 15));
+    const mode = modeOf(state.modes?.modes ?? [], state.chosen);
+    const name = mode === null ? state.chosen : nameOf(mode);
+    if (shown) place.textContent = lessonWords(state.drawing.report, name, Number(state.options.functions ?? 15));
     if (shown && place.textContent === "") place.hidden = true;
   });
 }

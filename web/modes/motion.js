@@ -1,11 +1,14 @@
 // The chosen mode: its shape along the span, its moment, and the blade in motion.
 
 import { at, element, make } from "../lib/dom.js";
-import { boundsWords, fieldNumber, figures, marginWords, paperWords, perRevWords } from "../lib/format.js";
+import { fieldNumber, figures } from "../lib/format.js";
+import { modeOf, motionsOf, nameOf } from "../lib/labels.js";
 import { shownSpeed } from "../lib/speed-words.js";
 import { optionsOf } from "../solver/keep-up.js";
 import { STAGE, camera, chordAt, hubPaths, platePaths } from "./plate.js";
-import { largest, nodeWords, pace } from "./shape.js";
+import { isSeen, plot } from "./plot.js";
+import { largest, leadingOf, motionsDrawn, nodeWords, pace } from "./shape.js";
+import { modeWords, paceWords } from "./words.js";
 
 const POINTS = 121;
 /** The plate is drawn from every so many points. */
@@ -21,48 +24,27 @@ const SETTLE_MS = 80;
 /** The blade stands still so long after a slider has moved: the chart comes first. */
 const YIELD_MS = 200;
 
-/** The chosen mode in one line, with what the table has no room for. */
-export function modeWords(mode, functions) {
-  const parts = [`${figures(mode.frequency_rad_s)} rad/s`, `${figures(mode.frequency_hz)} Hz`];
-  if (mode.per_rev !== null) parts.push(`${perRevWords(mode.per_rev)}/rev, ${marginWords(mode)}`);
-  parts.push(`bounds ${boundsWords(mode, " rad/s")}`);
-  if (mode.classical_rad_s !== null) parts.push(`the paper’s ${functions} functions ${figures(mode.classical_rad_s)} rad/s, ${paperWords(mode)}`);
-  return parts.join("; ");
+/**
+ * The mark of a root of this kind.
+ * @param {string} kind
+ * @param {number[]} place on the stage
+ */
+function rootMark(kind, [x, y]) {
+  if (kind === "hingeless" || kind === "rigid") return [element("rect", { x: x - 4, y: y - 6, width: 8, height: 12 })];
+  const circle = element("circle", { cx: x, cy: y, r: 4 });
+  if (kind === "hinged") return [circle];
+  return [element("path", { d: `M${x - 9} ${y - 8}l3 -5l3 5l3 -5l3 5l3 -5l3 5` }), circle];
 }
 
-/** "33 times slower than real". */
-export function slowerWords(slower) {
-  if (slower >= 0.95 && slower < 1.05) return "as fast as real";
-  const times = slower >= 1 ? slower : 1 / slower;
-  return `${times >= 10 ? times.toFixed(0) : fieldNumber(times, 2)} times ${slower >= 1 ? "slower" : "faster"} than real`;
+/** The root that holds a motion, and where: as a share of the radius. */
+function rootOf({ rotor, ...blade }, dof) {
+  const { root: kind, offset = 0, offset_ratio: ratio } = blade[dof];
+  return { kind, at: ratio ?? offset / rotor.radius };
 }
 
-/** Displacement and moment along the span. */
-function plot(shape, ratio, moments, nodes) {
-  const [width, height] = [400, 150];
-  const frame = { left: 26, right: 388, top: 10, bottom: 122 };
-  const x = (r) => frame.left + r * (frame.right - frame.left);
-  const y = (value) => (frame.top + frame.bottom) / 2 - 0.92 * value * ((frame.bottom - frame.top) / 2);
-  const line = (values, scale) => values.map((value, i) => `${i === 0 ? "M" : "L"}${x(ratio[i]).toFixed(1)} ${y(value / scale).toFixed(1)}`).join("");
-  const svg = element("svg", { viewBox: `0 0 ${width} ${height}`, class: "shape-plot", role: "img" });
-  for (const r of [0, 0.2, 0.4, 0.6, 0.8, 1]) {
-    svg.append(
-      element("path", { class: "grid", d: `M${x(r)} ${frame.top}V${frame.bottom}` }),
-      element("text", { x: x(r), y: frame.bottom + 13, "text-anchor": "middle" }, r === 0 ? "0" : r.toFixed(1)),
-    );
-  }
-  for (const value of [-1, 0, 1]) {
-    svg.append(
-      element("path", { class: value === 0 ? "zero" : "grid", d: `M${frame.left} ${y(value)}H${frame.right}` }),
-      element("text", { x: frame.left - 4, y: y(value) + 3.5, "text-anchor": "end" }, String(value).replace("-", "−")),
-    );
-  }
-  svg.append(element("text", { x: (frame.left + frame.right) / 2, y: height - 3, "text-anchor": "middle" }, "span r/R"));
-  const most = largest(ratio, moments);
-  if (most !== null) svg.append(element("path", { class: "moment", d: line(moments, Math.abs(most.value)) }));
-  svg.append(element("path", { class: "displacement", d: line(shape, 1) }));
-  for (const node of nodes) svg.append(element("circle", { class: "node", cx: x(node).toFixed(1), cy: y(0), r: 3.5 }));
-  return svg;
+/** A mode that is mixed with torsion shows both of its motions from the tip. */
+function bestView({ label, dof }) {
+  return motionsOf(label).includes("torsion") ? "twist" : BEST[dof];
 }
 
 /** Shows the chosen mode from now on. */
@@ -72,7 +54,7 @@ export function startMotion(store, client) {
   let playing = !still.matches;
   let seen = true; // on screen
   let view = null; // null: the best for the mode
-  let dofSeen = null; // a view that was chosen holds for modes of the same kind
+  let kindSeen = null; // a view that was chosen holds for modes of the same kind
   let frame = null;
   let last = null;
   let turns = { mode: 0, rotor: 0 };
@@ -80,7 +62,7 @@ export function startMotion(store, client) {
   let yielding = 0;
   let nominalSeen;
   let settling;
-  let stage = null; // what the frames need: {dof, at, shape, project, pace}
+  let stage = null; // what the frames need: {dof, at, motions, project, pace}
 
   const title = make("h3", { id: "motion-title" });
   const detail = make("p", { className: "note", id: "motion-detail" });
@@ -131,13 +113,13 @@ export function startMotion(store, client) {
   host.append(title, picture, tools, paceNote, shapeNote, momentNote, plotPlace, nodeNote, detail);
   host.hidden = true;
 
-  const chosenShape = (state) => report?.value.shapes.find((shape) => shape.label === state.chosen) ?? null;
-  const chosenMode = ({ modes, chosen }) => modes?.modes.find((mode) => mode.label === chosen) ?? null;
+  const chosenMode = ({ modes, chosen }) => modeOf(modes?.modes ?? [], chosen);
+  const shapeOf = (mode) => report?.value.shapes.find((shape) => nameOf(shape) === nameOf(mode)) ?? null;
 
   function showFrame() {
     if (stage === null) return;
     const share = Math.cos(2 * Math.PI * turns.mode);
-    const { face, edge, ribs } = platePaths(stage.dof, stage.at, stage.shape, share, stage.project);
+    const { face, edge, ribs } = platePaths(stage.dof, stage.at, stage.motions, share, stage.project);
     paths.face.setAttribute("d", face);
     paths.edge.setAttribute("d", edge);
     paths.ribs.setAttribute("d", ribs);
@@ -177,23 +159,24 @@ export function startMotion(store, client) {
 
   function setStage() {
     const state = store.get();
-    const shape = chosenShape(state);
     const mode = chosenMode(state);
-    if (shape === null || mode === null) return;
+    const shape = mode === null ? null : shapeOf(mode);
+    if (shape === null) return;
     const { dof } = shape;
-    const shown = view ?? BEST[dof];
+    const shown = view ?? bestView(mode);
     radios[shown].checked = true;
     const { r_m: radii, radius_m: radius } = report.value;
     const coarse = (values) => values.filter((_, i) => i % COARSE === 0 || i === values.length - 1);
     const ratio = radii.map((r) => r / radius);
-    const most = Math.abs(largest(ratio, shape.displacement)?.value ?? 1);
-    const unit = shape.displacement.map((w) => w / most);
-    const project = camera(shown, dof);
+    const motions = motionsDrawn(shape);
+    const most = Math.abs(largest(ratio, leadingOf(shape).displacement)?.value ?? 1);
+    const sizes = Object.fromEntries(Object.entries(motions).map(([motion, values]) => [motion, Math.max(...values.map(Math.abs))]));
+    const project = camera(shown, dof, sizes);
     const even = !relative.checked;
     stage = {
       dof,
       at: coarse(ratio),
-      shape: coarse(unit),
+      motions: Object.fromEntries(Object.entries(motions).map(([motion, values]) => [motion, coarse(values)])),
       project,
       pace: pace({ frequency: mode.frequency_rad_s, speed: state.modes.speed_rad_s, nominal: state.fan?.nominal.speed_rad_s ?? 0 }, even),
     };
@@ -201,14 +184,14 @@ export function startMotion(store, client) {
     host.dataset.dof = dof;
     host.dataset.view = shown;
     for (const [name, d] of Object.entries(hubPaths(ratio[0], project))) paths[name].setAttribute("d", d);
-    paths.faint.setAttribute("d", platePaths(dof, stage.at, stage.shape, 0, project).face);
-    paths.other.setAttribute("d", [1, -1].map((share) => platePaths(dof, stage.at, stage.shape, share, project).face).join(""));
+    paths.faint.setAttribute("d", platePaths(dof, stage.at, stage.motions, 0, project).face);
+    paths.other.setAttribute("d", [1, -1].map((share) => platePaths(dof, stage.at, stage.motions, share, project).face).join(""));
     paths.nodes.setAttribute(
       "d",
       nodes
         .map(
           (node) =>
-            `M${chordAt(dof, node, 0)
+            `M${chordAt(dof, node, {})
               .map((point) =>
                 project(point)
                   .map((v) => v.toFixed(1))
@@ -218,56 +201,40 @@ export function startMotion(store, client) {
         )
         .join(""),
     );
-    root.replaceChildren(...rootMark(state.blade[dof]?.root, project([ratio[0], 0, 0])));
-    const where = `Mode ${mode.label}, ${dof}`;
-    const rootWords = `${state.blade[dof]?.root} at r/R ${fieldNumber(ratio[0], 2)}`;
+    const { kind, at: place } = rootOf(state.blade, dof);
+    root.replaceChildren(...rootMark(kind, project([place, 0, 0])));
+    const where = `Mode ${mode.label}, ${motionsOf(mode.label).join(" and ")}`;
+    const rootWords = `${kind} at r/R ${fieldNumber(place, 2)}`;
     picture.setAttribute(
       "aria-label",
       `${where}: the blade seen ${FROM[shown]}, ${rootWords}, swinging about its undeformed place. ${nodeWords(nodes)}. Deflection and chord are not to scale.`,
     );
-    paceNote.textContent = paceWords(mode, state, stage.pace, even);
+    paceNote.textContent = paceWords(mode, stage.pace, even);
     if (!playing) rest();
     else showFrame();
     run();
-    return { shape, mode, ratio, unit, nodes, most, rootWords };
-  }
-
-  function paceWords(mode, state, { mode: hertz, slower, held }, even) {
-    if (hertz === 0) return "This mode has no frequency here: the blade turns freely about its hinge.";
-    const words = [`Deflection not to scale; ${slowerWords(slower)}${held && !even ? ", slowed further to be seen" : ""}.`];
-    if (mode.per_rev !== null) words.push(`${fieldNumber(mode.per_rev, 3)} swings per revolution.`);
-    return words.join(" ");
-  }
-
-  /**
-   * The mark of a root of this kind.
-   * @param {string} kind
-   * @param {number[]} place on the stage
-   */
-  function rootMark(kind, [x, y]) {
-    if (kind === "hingeless" || kind === "rigid") return [element("rect", { x: x - 4, y: y - 6, width: 8, height: 12 })];
-    const circle = element("circle", { cx: x, cy: y, r: 4 });
-    if (kind === "hinged") return [circle];
-    return [element("path", { d: `M${x - 9} ${y - 8}l3 -5l3 5l3 -5l3 5l3 -5l3 5` }), circle];
+    return { shape, mode, ratio, motions, nodes, most, rootWords };
   }
 
   function show() {
     const state = store.get();
     const staged = setStage();
     if (staged === undefined) return;
-    const { shape, mode, ratio, unit, nodes, most, rootWords } = staged;
+    const { shape, mode, ratio, motions, nodes, most, rootWords } = staged;
     const words = `${fieldNumber(shownSpeed(state.solvedSpeed, state))} ${state.speedUnit}`;
     title.textContent = `Mode ${mode.label} at ${words}`;
     detail.textContent = `${modeWords(mode, state.modes.classical_functions)}.`;
     nodeNote.textContent = `${nodeWords(nodes)}; ${rootWords}.`;
-    const moment = largest(ratio, shape.moment);
+    const { moment: moments } = leadingOf(shape);
+    const moment = largest(ratio, moments);
     const per = mode.dof === "torsion" ? "rad of twist" : "m of deflection";
     const kept = moment !== null && Math.abs(moment.value) > 0;
-    shapeNote.textContent = mode.dof === "torsion" ? "twist, 1 at its largest" : "displacement, 1 at its largest";
+    const beside = Object.keys(motions).filter((motion) => motion !== mode.dof && isSeen(motions[motion]));
+    shapeNote.textContent = `${mode.dof === "torsion" ? "twist" : "displacement"}, 1 at its largest${beside.length > 0 ? `; thin: ${beside.join(" and ")}, by energy` : ""}`;
     momentNote.textContent = kept
       ? `${MOMENTS[mode.dof]}, largest ${figures(Math.abs(moment.value) / most)} N·m per ${per} at r/R ${moment.at.toFixed(2)}`
       : `no ${MOMENTS[mode.dof]}`;
-    const drawing = plot(unit, ratio, shape.moment, nodes);
+    const drawing = plot(mode.dof, motions, ratio, moments, nodes);
     drawing.setAttribute(
       "aria-label",
       `Shape of mode ${mode.label} along the span, with its ${MOMENTS[mode.dof]}. ${nodeWords(nodes)}. ${momentNote.textContent}.`,
@@ -284,8 +251,10 @@ export function startMotion(store, client) {
       return;
     }
     const { blade, modes } = state;
-    if (report?.modes !== modes || report.dof !== mode.dof) {
-      const options = { ...optionsOf("shapes", { ...state, speed: state.solvedSpeed }), dof: [mode.dof], points: POINTS };
+    // The motions of a coupled blade are solved together, and one answer has all.
+    const dof = modes.model.kind === "coupled" ? null : [mode.dof];
+    if (report?.modes !== modes || (dof !== null && report.dof !== mode.dof)) {
+      const options = { ...optionsOf("shapes", { ...state, speed: state.solvedSpeed }), dof, points: POINTS };
       const result = await client.call("motion", "shapes", blade, options);
       if (result?.status !== "ok") return;
       if (store.get().modes !== modes) return; // newer ones are on their way
@@ -312,7 +281,7 @@ export function startMotion(store, client) {
   });
   store.subscribe((state, changed) => {
     const kind = chosenMode(state)?.dof;
-    if (kind !== undefined && kind !== dofSeen) [dofSeen, view] = [kind, null];
+    if (kind !== undefined && kind !== kindSeen) [kindSeen, view] = [kind, null];
     if (changed.has("modes") || changed.has("chosen")) {
       clearTimeout(settling);
       if (changed.has("chosen")) ask();

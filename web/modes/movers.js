@@ -3,6 +3,7 @@
 
 import { at } from "../lib/dom.js";
 import { percentWords } from "../lib/format.js";
+import { motionsOf, nameOf } from "../lib/labels.js";
 import { optionsOf } from "../solver/keep-up.js";
 import { NEAR, nearModes } from "./nearness.js";
 
@@ -17,14 +18,24 @@ const HARDLY = 1e-3;
 const MOST_MODES = 3;
 const IDLE_MS = 300;
 
-/** What holds a mode of this kind, the usual first: {name, what}, the latter its path in the blade file. */
-function levers(blade, dof) {
+/** What holds a motion, the usual first: {name, what}, the latter its path in the blade file. */
+function leversOf(blade, dof) {
   const name = NAMES[dof];
   const found = [{ name: `${name} stiffness`, what: `distribution.${dof}_stiffness` }];
   const { root, spring, offset, offset_ratio: ratio } = blade[dof] ?? {};
   if (spring > 0) found.push({ name: `${name} spring`, what: `${dof}.spring` });
   if (root !== "hingeless" && dof !== "torsion" && (offset > 0 || ratio > 0)) found.push({ name: `${name} hinge offset`, what: `${dof}.offset` });
   return found;
+}
+
+/** What holds a mode: what holds its leading motion, then, where it is mixed, the second one. */
+const levers = (blade, { label }) => motionsOf(label).flatMap((motion) => leversOf(blade, motion));
+
+/** The same mode of a blade that is a little different: by its name, or else the one next to it. */
+export function sameMode(modes, mode) {
+  const away = (other) => Math.abs(other.frequency_rad_s - mode.frequency_rad_s);
+  const swinging = modes.filter((other) => other.per_rev !== null);
+  return swinging.find((other) => nameOf(other) === nameOf(mode)) ?? swinging.sort((a, b) => away(a) - away(b))[0] ?? null;
 }
 
 /** How far per percent a mode moves, in 1/rev: `less` and `more` are [percent, per rev], or null where it could not be solved. */
@@ -68,12 +79,15 @@ export function startMovers(store, client) {
 
   /** One lever on one mode; null where a newer question has come in. */
   async function pull(state, mode, { name, what }) {
-    const options = { ...optionsOf("modes", { ...state, speed: state.solvedSpeed }), dof: [mode.dof], modes: mode.number };
+    // Modes of a coupled blade are counted together.
+    const { modes: all, model } = state.modes;
+    const wanted = model.kind === "coupled" ? { modes: Math.min(all.length, all.indexOf(mode) + 2) } : { dof: [mode.dof], modes: mode.number };
+    const options = { ...optionsOf("modes", { ...state, speed: state.solvedSpeed }), ...wanted };
     const ends = [];
     for (const share of [-SHARE, SHARE]) {
       const result = await client.call("sensitivity", "modes", { blade: state.blade, changes: [{ what, scale: 1 + share }] }, options);
       if (result === null || current !== state.modes) return null;
-      const moved = result.status === "ok" ? result.value.modes.find(({ label }) => label === mode.label) : null;
+      const moved = result.status === "ok" ? sameMode(result.value.modes, mode) : null;
       ends.push(moved ? [100 * share, moved.per_rev] : null);
     }
     return { name, slope: slopeOf(mode.per_rev, ...ends) };
@@ -81,11 +95,12 @@ export function startMovers(store, client) {
 
   async function ask() {
     const state = store.get();
-    const near = nearModes(state.modes.modes, upTo ?? 0).slice(0, MOST_MODES);
+    const seen = state.modes.modes.filter(({ dof }) => state.dofs.includes(dof));
+    const near = nearModes(seen, upTo ?? 0).slice(0, MOST_MODES);
     const said = [];
     for (const mode of near) {
       const pulls = [];
-      for (const lever of levers(state.blade, mode.dof)) {
+      for (const lever of levers(state.blade, mode)) {
         const pulled = await pull(state, mode, lever);
         if (pulled === null) return;
         if (pulled.slope === null) continue;
@@ -93,15 +108,15 @@ export function startMovers(store, client) {
         if (changeFor(mode.margin_per_rev, pulled.slope) !== null) break; // the usual one will do
       }
       const natural =
-        mode.label === "1F" && mode.nearest_harmonic === 1 && state.blade.flap.root === "hinged" ? " 1F of a hinged blade lies near 1P." : "";
+        nameOf(mode) === "1F" && mode.nearest_harmonic === 1 && state.blade.flap.root === "hinged" ? " 1F of a hinged blade lies near 1P." : "";
       if (pulls.length > 0) said.push(Object.assign(document.createElement("li"), { textContent: moverWords(mode, pulls) + natural }));
     }
     list.replaceChildren(...said);
   }
 
   store.subscribe(({ modes, fan }, changed) => {
-    if (!(changed.has("modes") || changed.has("fan")) || modes === null) return;
-    if (modes === current && fan?.harmonics === upTo) return;
+    if (!["modes", "fan", "dofs"].some((key) => changed.has(key)) || modes === null) return;
+    if (modes === current && fan?.harmonics === upTo && !changed.has("dofs")) return;
     current = modes;
     upTo = fan?.harmonics;
     clearTimeout(waiting);

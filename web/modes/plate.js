@@ -8,18 +8,28 @@ const CAMERAS = {
 };
 /** Distance of the eye, in radii. */
 const FAR = 4;
-/** Drawn chord and deflections, in radii and radians; not the blade's own. */
+/** Drawn chord, by leading motion, and deflections, in radii and radians; not the blade's own. */
 const CHORDS = { flap: [0.035, -0.085], lag: [0.035, -0.085], torsion: [0.06, -0.14] };
 const SWING = { flap: 0.17, lag: 0.15, torsion: 0.75 };
-/** Room beside and above the undeformed blade. */
+/** Room beside and above the undeformed blade where one motion leads. */
 const ROOM = { flap: [0.1, 0.18], lag: [0.24, 0.06], torsion: [0.12, 0.1] };
 export const STAGE = { width: 400, height: 170 };
 const HUB = 0.05;
 
 const radians = (degrees) => (degrees * Math.PI) / 180;
 
-/** What takes a point (span, chord, up; in radii) to the stage, for one view of one kind of mode. */
-export function camera(view, dof) {
+/** The same with the motions beside it, which are at most `sizes`. */
+function room(dof, sizes) {
+  const beside = (motion) => (motion === dof ? 0 : (sizes[motion] ?? 0));
+  const edge = Math.max(...CHORDS[dof].map(Math.abs));
+  return [ROOM[dof][0] + SWING.lag * beside("lag"), ROOM[dof][1] + SWING.flap * beside("flap") + edge * Math.sin(SWING.torsion * beside("torsion"))];
+}
+
+/**
+ * What takes a point (span, chord, up; in radii) to the stage, for one view of a mode that `dof` leads; motions
+ * beside it are at most `sizes`, 1 being as large as one that leads.
+ */
+export function camera(view, dof, sizes = {}) {
   const { turn, down } = CAMERAS[view];
   const [ct, st, cd, sd] = [Math.cos(radians(turn)), Math.sin(radians(turn)), Math.cos(radians(down)), Math.sin(radians(down))];
   const flat = ([x, y, z]) => {
@@ -29,7 +39,7 @@ export function camera(view, dof) {
     return [across * near, -(away * sd + z * cd) * near];
   };
   // Everything that can move stays on the stage: the corners of the room that it may take.
-  const [beside, up] = ROOM[dof];
+  const [beside, up] = room(dof, sizes);
   const corners = [];
   for (const x of [-HUB, 1]) for (const y of [-beside, beside]) for (const z of [-up, up]) corners.push(flat([x, y, z]));
   const [xs, ys] = [0, 1].map((i) => corners.map((corner) => corner[i]));
@@ -39,13 +49,10 @@ export function camera(view, dof) {
   return (point) => flat(point).map((value, i) => value * scale + (i === 0 ? dx : dy));
 }
 
-/** The two ends of the chord at r/R `x`, where the shape is `w` (1 at its largest). */
-export function chordAt(dof, x, w) {
-  const ends = CHORDS[dof];
-  if (dof === "flap") return ends.map((y) => [x, y, SWING.flap * w]);
-  if (dof === "lag") return ends.map((y) => [x, y + SWING.lag * w, 0]);
-  const angle = SWING.torsion * w;
-  return ends.map((y) => [x, y * Math.cos(angle), y * Math.sin(angle)]);
+/** The two ends of the chord at r/R `x`, where the motions are as large as given (1 at the largest of one that leads). */
+export function chordAt(dof, x, { flap = 0, lag = 0, torsion = 0 }) {
+  const angle = SWING.torsion * torsion;
+  return CHORDS[dof].map((y) => [x, y * Math.cos(angle) + SWING.lag * lag, y * Math.sin(angle) + SWING.flap * flap]);
 }
 
 const trace = (points, project) =>
@@ -57,9 +64,10 @@ const trace = (points, project) =>
     )
     .join("L");
 
-/** Paths of the plate at a share of its full deflection: its face, its leading edge, its ribs. */
-export function platePaths(dof, at, shape, share, project) {
-  const chords = at.map((x, i) => chordAt(dof, x, shape[i] * share));
+/** Paths of the plate with `motions` along the span, at a share of its full deflection: its face, its leading edge, its ribs. */
+export function platePaths(dof, at, motions, share, project) {
+  const moved = Object.entries(motions);
+  const chords = at.map((x, i) => chordAt(dof, x, Object.fromEntries(moved.map(([motion, values]) => [motion, values[i] * share]))));
   const lead = chords.map((chord) => chord[0]);
   const trail = chords.map((chord) => chord[1]);
   const every = Math.max(1, Math.round(chords.length / 10));

@@ -1,9 +1,30 @@
-// What a mode shape says in words, its largest value, and how fast it moves on the page.
+// What a mode shape says in words, its largest value, its motions as they are drawn, and how fast it moves on the page.
 
 /** The value farthest from zero and where it is; null where all are zero. */
 export function largest(at, values) {
   const i = values.reduce((best, value, i) => (Math.abs(value) > Math.abs(values[best]) ? i : best), 0);
   return values[i] === 0 || values.length === 0 ? null : { at: at[i], value: values[i] };
+}
+
+/** The leading motion of a shape: its displacement, or twist, and its moment along the span. */
+export function leadingOf({ dof, components, displacement, moment }) {
+  if (components === undefined) return { displacement, moment };
+  return { displacement: components[dof].displacement ?? components[dof].twist, moment: components[dof].moment };
+}
+
+/**
+ * The motions of a shape along the span, as they are drawn: one that is alone or leads is 1 at its largest, the
+ * others are so large beside it as their energy is. In metres and radians, twist would hide all bending or none.
+ */
+export function motionsDrawn(shape) {
+  const { dof, shares } = shape;
+  const drawn = (motion) => {
+    const values = leadingOf({ ...shape, dof: motion }).displacement;
+    const most = Math.max(...values.map(Math.abs));
+    const size = shares === undefined ? 1 : Math.sqrt(Math.max(0, shares[motion]) / shares[dof]);
+    return values.map((value) => (most > 0 ? (value * size) / most : 0));
+  };
+  return Object.fromEntries((shares === undefined ? [dof] : Object.keys(shares)).map((motion) => [motion, drawn(motion)]));
 }
 
 /** "Nodes at r/R 0.47 and 0.87". */

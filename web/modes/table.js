@@ -1,24 +1,27 @@
 // The frequency table at one rotor speed. Its rows are the choice of a mode.
 
 import { targetOf, write } from "../lib/dom.js";
-import { boundsWords, closestOf, figures, marginWords, paperWords, perRevWords } from "../lib/format.js";
+import { boundsWords, closestOf, figures, frequencyWords, marginWords, paperWords, perRevWords } from "../lib/format.js";
+import { modeOf, nameOf } from "../lib/labels.js";
 import { nearness } from "./nearness.js";
+import { showShares } from "./shares.js";
 
 function newRow(mode, onChoose) {
   const row = document.createElement("tr");
-  row.dataset.dof = mode.dof;
+  const name = nameOf(mode);
+  Object.assign(row.dataset, { name, dof: mode.dof });
   const head = document.createElement("th");
   head.scope = "row";
   // Radio buttons: one stop of the tab key, arrows from mode to mode.
   const radio = document.createElement("input");
   radio.type = "radio";
   radio.name = "mode";
-  radio.value = mode.label;
-  radio.addEventListener("change", () => onChoose(mode.label));
+  radio.value = name;
+  radio.addEventListener("change", () => onChoose(name));
   const label = document.createElement("label");
-  label.append(radio, mode.label);
+  label.append(radio, document.createElement("span"));
   head.append(label);
-  row.append(head, ...Array.from({ length: 6 }, () => document.createElement("td")));
+  row.append(head, ...Array.from({ length: mode.shares ? 7 : 6 }, () => document.createElement("td")));
   row.addEventListener("click", (event) => {
     if (targetOf(event).closest("label") !== null || !getSelection().isCollapsed) return;
     radio.focus({ preventScroll: true });
@@ -28,10 +31,11 @@ function newRow(mode, onChoose) {
 }
 
 function fill(row, mode, harmonics) {
+  write(row.querySelector("span"), mode.label);
   const bounds = [mode.lower_rad_s, mode.upper_rad_s];
   const shown = [
-    [figures(mode.frequency_rad_s), mode.frequency_rad_s],
-    [figures(mode.frequency_hz), mode.frequency_hz],
+    [frequencyWords(mode), mode.frequency_rad_s ?? ""],
+    [figures(mode.frequency_hz), mode.frequency_hz ?? ""],
     [perRevWords(mode.per_rev), mode.per_rev ?? ""],
     [boundsWords(mode), bounds.includes(null) ? "" : bounds.join(" … ")],
     [paperWords(mode), mode.classical_rad_s ?? ""],
@@ -44,6 +48,7 @@ function fill(row, mode, harmonics) {
   // The paper's value stands before its difference where there is room.
   if (mode.classical_rad_s === null) delete row.cells[5].dataset.value;
   else row.cells[5].dataset.value = figures(mode.classical_rad_s);
+  if (mode.shares) showShares(row.cells[7], mode.shares);
   const near = nearness(mode, harmonics);
   const words = marginWords(mode);
   const cell = row.cells[6];
@@ -53,21 +58,38 @@ function fill(row, mode, harmonics) {
   cell.replaceChildren(...(near === "" ? [words] : [tag, ` ${words}`]));
 }
 
-/** Fills the table's body with one row per mode; `harmonics` is the last one looked at. */
-export function showModes(body, report, onChoose, harmonics) {
-  const labels = [...body.rows].map((row) => row.cells[0].textContent);
-  // Rows stay while their modes do, and with them the focus.
-  if (labels.join() !== report.modes.map((mode) => mode.label).join()) {
-    body.replaceChildren(...report.modes.map((mode) => newRow(mode, onChoose)));
-  }
-  report.modes.forEach((mode, i) => fill(body.rows[i], mode, harmonics));
+/** Puts rows into a table's body in this order; one that has the focus keeps it. */
+function order(body, rows) {
+  if (rows.length === body.rows.length && rows.every((row, i) => row === body.rows[i])) return;
+  const focused = /** @type {HTMLElement} */ (document.activeElement);
+  body.replaceChildren(...rows);
+  if (body.contains(focused)) focused.focus({ preventScroll: true });
 }
 
-/** Shows which mode is chosen. */
-export function showChosen(body, chosen) {
+/**
+ * Fills the table's body with one row per mode. Shown are those of the degrees of freedom `dofs`; `harmonics` is
+ * the last one looked at, `onChoose` hears the name of a mode that is chosen.
+ */
+export function showModes(body, { modes, model }, { dofs, harmonics, onChoose }) {
+  // Rows stay while their modes do, whatever their order and the second motion of a mixed one.
+  const rows = new Map(body.dataset.model === model.kind ? [...body.rows].map((row) => [row.dataset.name, row]) : []);
+  body.dataset.model = model.kind;
+  order(
+    body,
+    modes.map((mode) => rows.get(nameOf(mode)) ?? newRow(mode, onChoose)),
+  );
+  modes.forEach((mode, i) => {
+    body.rows[i].hidden = !dofs.includes(mode.dof);
+    fill(body.rows[i], mode, harmonics);
+  });
+}
+
+/** Shows which of the modes is chosen. */
+export function showChosen(body, modes, chosen) {
+  const mode = modeOf(modes, chosen);
   for (const row of body.rows) {
     const radio = row.querySelector("input");
-    radio.checked = radio.value === chosen;
+    radio.checked = mode !== null && radio.value === nameOf(mode);
     row.classList.toggle("chosen", radio.checked);
   }
 }

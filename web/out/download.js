@@ -1,6 +1,7 @@
 // Files for the user: chart, numbers, blade. Everything is made in the page.
 
 import { cellText, percent } from "../lib/format.js";
+import { shapeColumns } from "../lib/shape-columns.js";
 
 /** Hands `content` (text or Blob) to the browser as a file. */
 export function download(name, content, type) {
@@ -39,14 +40,15 @@ export function fanCsv(fan) {
   );
 }
 
-/** One row per radius; displacement, slope and moment of each mode. */
+/** One row per radius; displacement, slope and moment of each mode, of a coupled one in each motion. */
 export function shapesCsv(report) {
-  const header = ["r [m]"];
-  for (const shape of report.shapes) {
-    header.push(`${shape.label} displacement`, `${shape.label} slope [1/m]`, `${shape.label} moment [N·m]`);
-  }
-  const rows = report.r_m.map((r, i) => [r, ...report.shapes.flatMap((shape) => [shape.displacement[i], shape.slope[i], shape.moment[i]])]);
-  return csv(header, rows);
+  const columns = report.shapes.flatMap((shape) =>
+    shapeColumns(report).map(({ name, of }) => ({ name: `${shape.label} ${name}`, values: of(shape) })),
+  );
+  return csv(
+    ["r [m]", ...columns.map(({ name }) => name)],
+    report.r_m.map((r, i) => [r, ...columns.map(({ values }) => values[i])]),
+  );
 }
 
 /** One row per mode, family and number of functions; the error is against the converged frequency. */

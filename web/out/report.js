@@ -9,9 +9,11 @@ import {
   crossingsWithin,
   fieldNumber,
   figures,
+  frequencyWords,
   marginWords,
   paperWords,
   perRevWords,
+  shareFigure,
 } from "../lib/format.js";
 import { isNeutral } from "../lib/what-if.js";
 import { unitFactor } from "../lib/speed-words.js";
@@ -146,17 +148,23 @@ function rotor({ rotor, units, ...blade }) {
   return `Rotor: ${words.join(", ")}. Roots: ${roots.join("; ")}.`;
 }
 
+/** "26, 21, 52", the shares of a mode's energy in percent. */
+const shareFigures = (shares) => DOFS.map((dof) => shareFigure(shares[dof])).join(", ");
+
 function frequencies({ modes, fan }) {
   const harmonics = fan?.harmonics;
-  const { modes: all } = modes;
-  // Of many, the lowest of each kind.
+  const { modes: all, model } = modes;
+  const isCoupled = model.kind === "coupled";
+  // Of many, the lowest: of each kind, where each stands on its own.
   const kinds = new Set(all.map(({ dof }) => dof)).size;
-  const shown = all.length <= MOST.modes ? all : all.filter(({ number }) => number <= MOST.modes / kinds);
+  const isShown = ({ number }, i) => (isCoupled ? i < MOST.modes : number <= MOST.modes / kinds);
+  const shown = all.length <= MOST.modes ? all : all.filter(isShown);
   const rows = shown.map((mode) => {
     const near = nearness(mode, harmonics);
     return [
       mode.label,
-      figures(mode.frequency_rad_s),
+      ...(isCoupled ? [shareFigures(mode.shares)] : []),
+      frequencyWords(mode),
       figures(mode.frequency_hz),
       perRevWords(mode.per_rev),
       boundsWords(mode),
@@ -166,7 +174,21 @@ function frequencies({ modes, fan }) {
     ];
   });
   const parts = [
-    table("Frequencies", ["mode", "rad/s", "Hz", "/rev", "bounds [rad/s]", `paper N=${modes.classical_functions}`, "", "nearest harmonic"], rows),
+    table(
+      "Frequencies",
+      [
+        "mode",
+        ...(isCoupled ? ["F, L, T %"] : []),
+        "rad/s",
+        "Hz",
+        "/rev",
+        "bounds [rad/s]",
+        `paper N=${modes.classical_functions}`,
+        "",
+        "nearest harmonic",
+      ],
+      rows,
+    ),
   ];
   if (shown.length < all.length) parts.push(make("p", `The lowest ${shown.length} of ${all.length} modes.`));
   if (harmonics !== undefined && nearModes(modes.modes, harmonics).length > 0) parts.push(make("p", nearNote(harmonics)));
@@ -201,8 +223,9 @@ export function startReport(store, client) {
   let waiting;
 
   const looks = (state) => ({ ...looksOf("fan", state), theme: "light", width: CHART_WIDTH, height: undefined });
-  const keyOf = ({ blade, options, speedUnit, frequencyUnit, dofs, band, window, measured }) => [
+  const keyOf = ({ blade, model, options, speedUnit, frequencyUnit, dofs, band, window, measured }) => [
     blade,
+    model,
     options,
     speedUnit,
     frequencyUnit,
@@ -260,7 +283,7 @@ export function startReport(store, client) {
     method.append(
       make(
         "p",
-        `Method: the assumed-mode method with ${basis} (${basisWords(modes.basis)}); ${about.model}. Each frequency lies between the bounds given; “paper” is the same method with ${modes.classical_functions} of the paper’s functions and its difference from the converged frequency.`,
+        `Method: the assumed-mode method with ${basis} (${basisWords(modes.basis)}); ${modes.model.words}. Each frequency lies between its bounds where they are given; “paper” is the same method with ${modes.classical_functions} of the paper’s functions and its difference from the converged frequency.`,
       ),
       make(
         "p",

@@ -6,8 +6,8 @@
 const START_MS = 40_000;
 /** A request that takes longer than this is given up. */
 const STUCK_MS = 20_000;
-/** A running request that a newer one has made useless may run on this long. */
-const SUPERSEDED_MS = 1_000;
+/** A running request that a newer one has made useless may run on this long: a fan chart of a coupled blade comes still. */
+const SUPERSEDED_MS = 3_000;
 /** Work shorter than this is not shown as such. */
 const BUSY_MS = 150;
 

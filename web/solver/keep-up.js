@@ -16,10 +16,10 @@ export const kindOf = (tab) => (tab === "shapes" || tab === "converge" ? tab : "
 export const isShared = (tab) => kindOf(tab) === "fan" && tab !== "fan";
 
 /** Options of the package for this state, by analysis; the speed as the user gave it, nominal where not. */
-export function optionsOf(analysis, { options, speed, band, window }) {
+export function optionsOf(analysis, { model, options, speed, band, window }) {
   const { modes, functions, harmonics, basis } = options;
-  const at = { modes, speed: speed === null ? null : `${speed.value}${speed.unit}` };
-  if (analysis === "fan") return { modes, functions, harmonics, basis, band, speeds: window?.speeds };
+  const at = { model, modes, speed: speed === null ? null : `${speed.value}${speed.unit}` };
+  if (analysis === "fan") return { model, modes, functions, harmonics, basis, band, speeds: window?.speeds };
   if (analysis === "converge") return at;
   return { ...at, functions, basis };
 }
@@ -113,11 +113,12 @@ export function startKeepingUp(store, client) {
   store.subscribe((state, changed) => {
     const any = (...keys) => keys.some((key) => changed.has(key));
     if (state.doc === null || state.width === 0) return;
-    const solves = any("doc", "whatIf", "options") || (any("width") && state.drawing === null);
+    const solves = any("doc", "whatIf", "model", "options") || (any("width") && state.drawing === null);
     const kind = kindOf(state.tab);
     const looks = any("theme", "width", "height", "speedUnit", "frequencyUnit") || (any("tab") && kind !== state.drawing?.kind);
     const chart = kind === "fan" ? any("dofs", "band", "measured", "window") : any("speed", "closeDofs");
-    if (any("doc", "options", "frequencyUnit", "dofs", "measured", "window") || (any("whatIf") && isNeutral(state.whatIf))) held = { axis: null };
+    if (any("doc", "model", "options", "frequencyUnit", "dofs", "measured", "window") || (any("whatIf") && isNeutral(state.whatIf)))
+      held = { axis: null };
     if (solves || looks || chart || any("speed")) {
       const solved = solvedOf(state);
       if (solves || looks || chart) draw(state, solved);
@@ -126,7 +127,7 @@ export function startKeepingUp(store, client) {
     }
     if (isNeutral(state.whatIf)) {
       if (state.before !== null) store.set({ before: null });
-    } else if (any("doc", "whatIf", "options", "window", "dofs") && (state.before === null || !any("whatIf"))) {
+    } else if (any("doc", "whatIf", "model", "options", "window", "dofs") && (state.before === null || !any("whatIf"))) {
       numbers("before", state, state.doc);
     }
   });

@@ -4,8 +4,12 @@
 
 import { Client } from "./client.js";
 
-/** @type {(name: string, args: unknown[]) => boolean} */
-const isFanWork = (name, [kind]) => ["modes", "fan", "at_speed"].includes(name) || (name === "chart_svg" && kind === "fan");
+/** Lanes of what nobody waits for, though it is of modes: a coupled blade would hold up the sliders. */
+const UNHURRIED = ["sensitivity"];
+
+/** @type {(lane: string, name: string, args: unknown[]) => boolean} */
+const isFanWork = (lane, name, [kind]) =>
+  !UNHURRIED.includes(lane) && (["modes", "fan", "at_speed"].includes(name) || (name === "chart_svg" && kind === "fan"));
 
 export class Solver {
   #fan;
@@ -31,7 +35,7 @@ export class Solver {
 
   /** As `Client.call`: of calls in the same lane only the newest counts, whichever worker it is for. */
   call(lane, name, ...args) {
-    if (isFanWork(name, args)) {
+    if (isFanWork(lane, name, args)) {
       this.#other?.drop(lane);
       return this.#fan.call(lane, name, ...args);
     }

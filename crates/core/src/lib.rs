@@ -75,7 +75,7 @@ pub mod report;
 pub mod units;
 
 pub use analysis::{
-    MODEL, Model, ModelKind, PAPER_FUNCTIONS, Settings, ShapeScale, SpeedRange, at_speed, compare, converge,
+    Curve, MODEL, Model, ModelKind, PAPER_FUNCTIONS, Settings, ShapeScale, SpeedRange, at_speed, compare, converge,
     coupled_modes, coupled_shapes, fan, margins, modes, shapes, summary, warnings,
 };
 pub use blade::{

@@ -27,7 +27,8 @@ pub fn change_blade(
 }
 
 /// The branches of a fan chart, as `fan` gave it, at one rotor speed [rad/s] within it: read off between
-/// its speeds, nothing is solved. Empty for a chart of fewer than three speeds.
+/// its speeds, nothing is solved. Empty for a chart of fewer than three speeds; a branch that is unstable
+/// there is left out.
 #[wasm_bindgen(unchecked_return_type = "Reply<ModeAtSpeed[]>")]
 pub fn at_speed(
     #[wasm_bindgen(unchecked_param_type = "FanChart")] chart: &JsValue,
@@ -35,8 +36,8 @@ pub fn at_speed(
 ) -> Answer {
     let speed = speed.as_f64().filter(|speed| speed.is_finite() && *speed >= 0.0);
     let speed = speed.ok_or_else(|| tree::fault("speed", "must be a number of at least 0").into());
-    reply(Faults::both(curves::curves(chart), speed).map(|(chart, speed)| {
-        let branches = chart.branches.iter().map(|(label, frequencies)| (*label, frequencies.as_slice()));
-        (bladefan_core::at_speed(&chart.speeds, branches, speed), Vec::new())
-    }))
+    reply(
+        Faults::both(curves::curves(chart), speed)
+            .map(|(chart, speed)| (bladefan_core::at_speed(&chart.speeds, chart.branches(), speed), Vec::new())),
+    )
 }

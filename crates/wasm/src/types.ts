@@ -366,9 +366,12 @@ export interface Model<K extends "uncoupled" | "coupled" = "uncoupled" | "couple
   /** The same in one plain line. */
   words: string;
 }
-/** One branch at one speed of a chart, as `at_speed` reads it off. */
+/** One branch at one speed of a chart, as `at_speed` reads it off; there is none where it is unstable. */
 export interface ModeAtSpeed {
+  /** What the branch is called there. */
   label: string;
+  /** Its place among the branches. */
+  branch: number;
   frequency_rad_s: number;
   /** Null at rest, as are the next two. */
   per_rev: number | null;

@@ -17,7 +17,7 @@ mod settings;
 mod shapes;
 mod summary;
 
-pub use at_speed::at_speed;
+pub use at_speed::{Curve, at_speed};
 pub use compare::compare;
 pub use converge::converge;
 pub use coupled::coupled_modes;

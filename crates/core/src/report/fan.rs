@@ -138,8 +138,10 @@ report! {
     /// One branch at one speed of a chart.
     #[derive(Copy)]
     ModeAtSpeed {
-        /// Branch.
+        /// What the branch is called there.
         label: Label,
+        /// Its place among the branches, from 0.
+        branch: usize,
         /// Frequency.
         frequency_rad_s: f64,
         /// The same per revolution; `None` at rest.
