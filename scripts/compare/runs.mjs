@@ -11,7 +11,11 @@ const BASES = ["piecewise", "classical"];
 const MODEL = ["--model", "uncoupled"];
 const SOLVERS = ["modes", "fan", "shapes", "converge"];
 
-const run = (command, ...args) => ({ command, args: [command, ...args, ...(SOLVERS.includes(command) ? MODEL : [])], files: args.filter((arg) => /^drawn\./.test(arg)) });
+const run = (command, ...args) => ({
+  command,
+  args: [command, ...args, ...(SOLVERS.includes(command) ? MODEL : [])],
+  files: args.filter((arg) => /^drawn\./.test(arg)),
+});
 
 /** Runs on one blade, by its name or file. `whole` adds what is slow or the same on all blades. */
 export function runsOf(blade, measured, whole) {

@@ -69,7 +69,8 @@ for (const entry of blades) {
   }
   test(`${name}: modes with 60 functions`, () => compare("modes", entry, { ...uncoupled, functions: 60, modes: 10 }, 30 * 5));
   test(`${name}: fan`, () => compare("fan", entry, uncoupled, 101 * 16));
-  test(`${name}: fan of other speeds`, () => compare("fan", entry, { ...uncoupled, speeds: `0:${2 * nominal}:37`, harmonics: 20, dof: "lag,flap" }, 37 * 11));
+  test(`${name}: fan of other speeds`, () =>
+    compare("fan", entry, { ...uncoupled, speeds: `0:${2 * nominal}:37`, harmonics: 20, dof: "lag,flap" }, 37 * 11));
   test(`${name}: shapes`, () => compare("shapes", entry, uncoupled, 101 * 3 * 15));
   test(`${name}: shapes by mass`, () => compare("shapes", entry, { ...uncoupled, normalise: "mass", points: 11, speed: 0 }, 11 * 3 * 15));
   test(`${name}: converge`, () => compare("converge", entry, uncoupled, 16 * 8));

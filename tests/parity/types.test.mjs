@@ -106,7 +106,12 @@ const answers = {
       pkg.fan({ ...blade, rotor: { ...blade.rotor, blades: undefined } }, { dof: "lag" }),
     ]),
   ShapesReport: () => blades.map(({ blade }) => pkg.shapes(blade, { model: "uncoupled", modes: 2, points: 5 })),
-  ConvergeReport: () => blades.flatMap(({ blade }) => [pkg.converge(blade, { model: "uncoupled", modes: 3 }), pkg.converge(blade, { model: "uncoupled", speed: 0, modes: 16 }), pkg.converge(blade, { model: "coupled", up_to: 5 })]),
+  ConvergeReport: () =>
+    blades.flatMap(({ blade }) => [
+      pkg.converge(blade, { model: "uncoupled", modes: 3 }),
+      pkg.converge(blade, { model: "uncoupled", speed: 0, modes: 16 }),
+      pkg.converge(blade, { model: "coupled", up_to: 5 }),
+    ]),
   BladeSummary: () => blades.flatMap(({ blade }) => [pkg.check(blade), pkg.check({ ...blade, rotor: { ...blade.rotor, blades: undefined } })]),
   Drawing: () => ["fan", "shapes", "converge"].map((kind) => pkg.chart_svg(kind, blade)),
   About: () => [pkg.about()],

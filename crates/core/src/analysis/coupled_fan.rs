@@ -131,8 +131,8 @@ struct Followed<'a> {
     branches: Branches,
     /// At the nodes, by sorted position: what each mode is, and what it is called.
     at_nodes: Vec<Vec<(RangeMode, Label)>>,
-    /// At nominal speed: of the branches shown, which one, its label and its frequency.
-    shown: Vec<(usize, Label, f64)>,
+    /// At nominal speed: of the branches shown, which one, its label and its frequency; none where it is unstable.
+    shown: Vec<(usize, Label, Option<f64>)>,
     nominal: f64,
     modes: usize,
 }
@@ -152,23 +152,24 @@ impl<'a> Followed<'a> {
         }
         let values = at_nodes.iter().map(|modes| modes.iter().map(|(mode, _)| mode.eigenvalue).collect()).collect();
         let branches = Branches::new(&|speed| range.eigenvalues(speed * speed), nodes, values, modes + BEYOND)?;
+        let at_nominal = called(nominal)?;
+        let nothing = NOTHING * at_nominal.last().map_or(0.0, |(mode, _)| mode.eigenvalue.abs());
         let shown = branches
             .order(nominal)
             .into_iter()
-            .zip(called(nominal)?)
+            .zip(at_nominal)
             .take(modes)
             .filter(|(_, (_, label))| settings.dofs.contains(&label.dof))
-            .map(|(branch, (mode, label))| (branch, label, frequency(mode.eigenvalue)))
+            .map(|(branch, (mode, label))| (branch, label, shown(mode.eigenvalue, nothing)))
             .collect();
         Ok(Self { range, branches, at_nodes, shown, nominal, modes })
     }
 
     fn margins(&self) -> Vec<Margin> {
-        let of = |(index, &(_, label, frequency)): (usize, &(usize, Label, f64))| Margin {
-            branch: Some(index),
-            ..margin(label, frequency / self.nominal)
+        let of = |(index, &(_, label, frequency)): (usize, &(usize, Label, Option<f64>))| {
+            Some(Margin { branch: Some(index), ..margin(label, frequency? / self.nominal) })
         };
-        self.shown.iter().enumerate().map(of).collect()
+        self.shown.iter().enumerate().filter_map(of).collect()
     }
 
     /// The branches at these rotor speeds, ascending, with their bounds.

@@ -69,7 +69,7 @@ pub(super) fn shorten(text: &str, room: f64, size: f64, bold: bool) -> String {
     format!("{}…", kept.trim_end())
 }
 
-/// `parts` joined by middle dots into as few lines as `room` allows.
+/// `parts` joined by middle dots into as few lines as `room` allows; a part too long for one is broken after commas.
 pub(super) fn flow(parts: &[String], room: f64, size: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for part in parts {
@@ -80,7 +80,15 @@ pub(super) fn flow(parts: &[String], room: f64, size: f64) -> Vec<String> {
                 continue;
             }
         }
-        lines.push(shorten(part, room, size, false));
+        let mut rest = String::new();
+        for phrase in part.split_inclusive(", ") {
+            if !rest.is_empty() && width(&format!("{rest}{}", phrase.trim_end()), size, false) > room {
+                lines.push(shorten(rest.trim_end(), room, size, false));
+                rest.clear();
+            }
+            rest.push_str(phrase);
+        }
+        lines.push(shorten(&rest, room, size, false));
     }
     lines
 }

@@ -118,7 +118,8 @@ pub(super) fn end_of(curve: &Curve, style: &Style, area: &Area) -> Option<End> {
         text: curve.branch.label.to_string(),
         from: at.0,
         target: at.1,
-        colour: style.palette.dof(curve.dofs.last().copied().unwrap_or(curve.branch.dof)),
+        // The label is that at nominal speed, and so is its colour.
+        colour: style.palette.dof(curve.branch.dof),
         bold: true,
         rank,
         limit: f64::INFINITY,
