@@ -38,9 +38,9 @@ const TOLD: &str = "torsion: no torsion data: flap and lag alone";
 
 #[test]
 fn flap_and_lag_are_as_with_torsion() {
-    let bending = Settings { dofs: vec![Dof::Flap, Dof::Lag], ..Settings::default() };
+    let bending = Settings { dofs: vec![Dof::Flap, Dof::Lag], ..Settings::of(ModelKind::Uncoupled) };
     let (blade, other) = (bare(), check(&whole()).unwrap());
-    let all = Settings::default();
+    let all = Settings::of(ModelKind::Uncoupled);
     let report = modes(&blade, &all).unwrap();
     assert_eq!(report.modes, modes(&other, &bending).unwrap().modes);
     assert_eq!(report.basis.functions.torsion, None);

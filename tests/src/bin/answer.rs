@@ -4,8 +4,8 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program speaks")]
 
 use bladefan_core::Fault;
-use bladefan_core::Settings;
 use bladefan_core::formats::{Format, read};
+use bladefan_core::{ModelKind, Settings};
 use std::process::ExitCode;
 use std::{env, fs};
 
@@ -13,7 +13,7 @@ fn answer(arguments: &[String]) -> Result<String, Vec<Fault>> {
     let [question, file, options @ ..] = arguments else { return Err(Vec::new()) };
     let text = fs::read_to_string(file).unwrap_or_default();
     let blade = read(&text, Format::Json)?.blade;
-    let mut settings = Settings::default();
+    let mut settings = Settings::of(ModelKind::Uncoupled);
     for pair in options.chunks(2) {
         if let [name, value] = pair {
             settings.set(name, value).map_err(|fault| vec![fault])?;
