@@ -112,14 +112,15 @@ const STRANGE: [&str; 16] = [
 
 #[wasm_bindgen_test]
 fn a_result_is_a_plain_object() {
-    let report = value(modes(&blade(), &JsValue::UNDEFINED));
+    let report = value(modes(&blade(), &js("({ model: 'uncoupled' })")));
     assert_eq!(text(&report, "schema"), "bladefan-modes/1");
+    assert_eq!(text(&report, "model.kind"), "uncoupled");
     assert_eq!(length(&report, "modes"), 15);
     assert_eq!(text(&report, "modes.0.label"), "1F");
     assert_eq!(text(&report, "modes.0.dof"), "flap");
     assert!(number(&report, "modes.0.frequency_rad_s") > 70.0);
     // Absent values are null, not undefined, and lists of pairs are objects, not maps.
-    let at_rest = value(modes(&blade(), &js("({ speed: 0 })")));
+    let at_rest = value(modes(&blade(), &js("({ model: 'uncoupled', speed: 0 })")));
     assert!(get(&at_rest, "modes.0.per_rev").is_null());
     assert!(get(&at_rest, "modes.0.nearest_harmonic").is_null());
     assert_eq!(number(&report, "modes.0.nearest_harmonic"), 1.0);
@@ -134,7 +135,8 @@ fn every_export_answers() {
     assert_eq!(length(&value(fan(&blade, &none)), "speeds_rad_s"), 101);
     assert_eq!(length(&value(shapes(&blade, &none)), "shapes.0.displacement"), 101);
     assert_eq!(length(&value(converge(&blade, &none)), "functions"), 16);
-    assert!(get(&value(converge(&blade, &none)), "series.1.classical_rad_s.0").is_null());
+    let apart = js("({ model: 'uncoupled' })");
+    assert!(get(&value(converge(&blade, &apart)), "series.1.classical_rad_s.0").is_null());
     assert_eq!(number(&value(margins(&blade, &none)), "0.nearest_harmonic"), 1.0);
     assert_eq!(text(&value(check(&blade)), "schema"), "bladefan-check/1");
     assert_eq!(text(&value(about()), "version"), version());
@@ -191,7 +193,7 @@ fn warnings_come_with_every_answer() {
     // The inertia of coupled motion comes first.
     let parsed = answer(parse_blade(&blade_text(0), &JsValue::UNDEFINED));
     assert_eq!(text(&parsed, "warnings.1.path"), "distribution.mass_offset");
-    let solved = answer(modes(&blade(), &JsValue::UNDEFINED));
+    let solved = answer(modes(&blade(), &js("({ model: 'uncoupled' })")));
     assert_eq!(text(&solved, "warnings.1.path"), "distribution.mass_offset");
 }
 
@@ -396,7 +398,7 @@ fn a_blade_is_changed_and_what_goes_along_is_said() {
 
 #[wasm_bindgen_test]
 fn a_fan_chart_is_read_off_between_its_speeds() {
-    let chart = value(fan(&blade(), &js("({ modes: 2 })")));
+    let chart = value(fan(&blade(), &js("({ model: 'uncoupled', modes: 2 })")));
     let speed = number(&chart, "speeds_rad_s.50");
     let there = value(at_speed(&chart, &speed.into()));
     assert_eq!(Array::from(&there).length(), 6);
