@@ -130,10 +130,14 @@ export function startZoom(chart, store) {
         pinched();
         return {};
       }
-    } else if (event.timeStamp - lastPress.time > DOUBLE) {
+    } else if (event.pointerType !== "mouse" && event.timeStamp - lastPress.time > DOUBLE) {
       lastPress = { time: event.timeStamp, speed: store.get().speed };
     }
     return (boxing || event.shiftKey) && chart.frame.holds(point, 12) ? box(point) : null;
+  });
+  // The browser counts the presses of a mouse, however long the page takes between them.
+  host.addEventListener("mousedown", (event) => {
+    if (event.detail === 1) lastPress = { time: event.timeStamp, speed: store.get().speed };
   });
   host.addEventListener("pointermove", (event) => {
     if (!fingers.has(event.pointerId) || chart.frame === null) return;

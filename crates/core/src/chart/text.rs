@@ -69,7 +69,11 @@ pub(super) fn shorten(text: &str, room: f64, size: f64, bold: bool) -> String {
     format!("{}…", kept.trim_end())
 }
 
-/// `parts` joined by middle dots into as few lines as `room` allows; a part too long for one is broken after commas.
+/// Room from which on lines are broken [px].
+const BROKEN: f64 = 340.0;
+
+/// `parts` joined by middle dots into as few lines as `room` allows; a part too long for one is broken after commas,
+/// but in drawings so narrow that the chart itself needs the height.
 pub(super) fn flow(parts: &[String], room: f64, size: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for part in parts {
@@ -82,7 +86,7 @@ pub(super) fn flow(parts: &[String], room: f64, size: f64) -> Vec<String> {
         }
         let mut rest = String::new();
         for phrase in part.split_inclusive(", ") {
-            if !rest.is_empty() && width(&format!("{rest}{}", phrase.trim_end()), size, false) > room {
+            if room > BROKEN && !rest.is_empty() && width(&format!("{rest}{}", phrase.trim_end()), size, false) > room {
                 lines.push(shorten(rest.trim_end(), room, size, false));
                 rest.clear();
             }
