@@ -44,23 +44,25 @@ pub fn coupled_modes(blade: &Blade, settings: &Settings) -> Result<CoupledModesR
     let (coupled, model, mut warnings) = model(blade, settings)?;
     let speed = settings.speed_or(blade.nominal_speed());
     let (square, count, rules) = (speed * speed, settings.coupled_modes, GaussRules::new());
-    let found = coupled::modes(&coupled, square, count, &rules).map_err(unsolvable)?;
-    let turned = (settings.gyroscopic && speed > 0.0)
-        .then(|| coupled::turning_modes(&coupled, speed, count, &rules).map_err(unturnable))
-        .transpose()?;
+    let turning = settings.gyroscopic && speed > 0.0;
+    let found = if turning {
+        coupled::turning_modes(&coupled, speed, count, &rules).map_err(unturnable)?
+    } else {
+        coupled::modes(&coupled, square, count, &rules).map_err(unsolvable)?
+    };
     note(&mut warnings, &found.modes, count);
     note_coning(&mut warnings, &model, &found.modes);
-    let functions = paper_functions(blade, settings.functions);
-    let paper = Classical::new(&coupled, &functions, &rules);
-    let by_paper = paper.modes(square, count, found.proven.as_ref()).map_err(unsolvable)?.modes;
     // The paper's functions stand beside the converged ones without Coriolis terms.
-    let (found, by_paper) = match turned {
-        Some(turned) => (turned, Vec::new()),
-        None => (found, by_paper),
-    };
+    let (mut by_paper, mut by_paper_counts) = (Vec::new(), [0; 3]);
+    if !turning {
+        let functions = paper_functions(blade, settings.functions);
+        let paper = Classical::new(&coupled, &functions, &rules);
+        by_paper = paper.modes(square, count, found.proven.as_ref()).map_err(unsolvable)?.modes;
+        by_paper_counts = paper.counts();
+    }
     let (shown, counts) = match settings.basis {
         BasisFamily::Piecewise => (&found.modes, found.functions),
-        BasisFamily::Classical => (&by_paper, paper.counts()),
+        BasisFamily::Classical => (&by_paper, by_paper_counts),
     };
     let rigid = rigid(&found);
     let mut numbers = [0; 3];

@@ -5,7 +5,7 @@ use super::assembly::Assembly;
 use super::blade::CoupledBlade;
 use super::bounds::{Proof, lower_bounds, rounding};
 use super::element::{PointFields, STATES};
-use super::equilibrium::{ModeEnergies, ModeFields, OwnEnergies, energies, own_energies, residuals};
+use super::equilibrium::{ModeEnergies, ModeFields, energies, own_energies, residuals};
 use super::range::residual_moments;
 use super::reduced::Reduced;
 use super::terms::FIELDS;
@@ -107,10 +107,7 @@ impl<'a> Classical<'a> {
         let found = available(&g, &self.energies.inertia, wanted)?;
         let fields = self.fields.combined(&found.vectors);
         let energies = own_energies(&self.assembly, &fields);
-        let quotient = |OwnEnergies { sums: [elastic, centrifugal, inertia], .. }: &OwnEnergies| {
-            (elastic + s * centrifugal) / inertia
-        };
-        let values: Vec<f64> = energies.iter().map(quotient).collect();
+        let values: Vec<f64> = energies.iter().map(|own| own.quotient(s)).collect();
         let gaps = residuals(self.blade, &self.assembly, &fields, &values, s).energies();
         let lower = proven.map(|proven| lower(&values, &gaps, proven));
         let rounding = rounding(&energies, &values, s, proven.map_or(0.0, |proven| proven.proof.sigma));

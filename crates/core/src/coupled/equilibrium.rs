@@ -126,6 +126,14 @@ pub struct OwnEnergies {
     pub sizes: [f64; 3],
 }
 
+impl OwnEnergies {
+    /// The quotient of Rayleigh at Ω² = s: λ.
+    pub fn quotient(&self, s: f64) -> f64 {
+        let [elastic, centrifugal, inertia] = self.sums;
+        (elastic + s * centrifugal) / inertia
+    }
+}
+
 /// What the fields of a mode load each field with in one matrix, with the quadrature.
 fn weighted_loads(assembly: &Assembly, fields: &PointFields, energy: Energy) -> PointFields {
     let mut loads = PointFields::default();

@@ -207,10 +207,7 @@ impl Solved {
         let modes: Vec<Vector> = ritz.vectors.column_iter().map(|parts| sum(found, parts.as_slice())).collect();
         let fields = ModeFields::new(assembly, &modes);
         let energies = own_energies(assembly, &fields);
-        let quotient = |OwnEnergies { sums: [elastic, centrifugal, inertia], .. }: &OwnEnergies| {
-            (elastic + s * centrifugal) / inertia
-        };
-        let values: Vec<f64> = energies.iter().map(quotient).collect();
+        let values: Vec<f64> = energies.iter().map(|own| own.quotient(s)).collect();
         let residuals = residuals(blade, assembly, &fields, &values, s);
         let gaps = residuals.energies();
         let floor = FLOOR * values.last().map_or(0.0, |v| v.abs());
